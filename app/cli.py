@@ -1,0 +1,63 @@
+"""Command line of Drivewright: ``drivewright --help``.
+
+Every command imports what it needs inside itself, so that ``--help`` is quick and a broken part breaks its own
+command only.
+"""
+
+from typing import Annotated
+
+import typer
+
+from app.settings import Settings, read_settings
+
+app = typer.Typer(
+    name="drivewright",
+    help="Select an electric drive, with every number open to its formula.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+
+def _settings() -> Settings:
+    """The settings, or a plain message and exit code 2 when the environment holds something impossible."""
+    from pydantic import ValidationError
+
+    try:
+        return read_settings()
+    except ValidationError as error:
+        for problem in error.errors():
+            typer.echo(f"setting {'.'.join(map(str, problem['loc']))}: {problem['msg']}", err=True)
+        raise typer.Exit(2) from None
+
+
+@app.command()
+def migrate() -> None:
+    """Create the database or bring it up to date."""
+    from app.db.migrate import upgrade
+
+    upgrade(_settings().database_url)
+
+
+@app.command()
+def serve(
+    host: Annotated[str | None, typer.Option(help="Address to listen on, instead of DRIVEWRIGHT_HOST.")] = None,
+    port: Annotated[int | None, typer.Option(help="Port to listen on, instead of DRIVEWRIGHT_PORT.")] = None,
+    workers: Annotated[int | None, typer.Option(help="Server processes, instead of DRIVEWRIGHT_WORKERS.")] = None,
+) -> None:
+    """Serve the pages and the REST interface."""
+    import uvicorn
+
+    settings = _settings()
+    host, port = host or settings.host, port or settings.port
+    shown = "127.0.0.1" if host in {"0.0.0.0", "::"} else host
+    typer.echo(f"Drivewright: http://{shown}:{port}")
+    uvicorn.run(
+        "app.main:create_app_from_environment",
+        factory=True,
+        host=host,
+        port=port,
+        workers=workers or settings.workers,
+        log_level=settings.log_level,
+        proxy_headers=True,
+    )
