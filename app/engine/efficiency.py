@@ -1,0 +1,44 @@
+"""Efficiency acts on the net power that passes a stage, by direction: driving divides, regenerating multiplies.
+
+This is the only place where that rule is spelled; every stage (mechanism, intermediate stage, gear unit) uses it.
+"""
+
+from typing import Any, Literal
+
+import numpy as np
+
+from app.engine.formula import formula, maximum
+from app.engine.units import One
+
+RegenerationModel = Literal["eta", "sew"]
+
+
+@formula(symbol="eta'", unit="1", source="SEW 2001, 8.1: retrograde efficiency")
+def retrograde_efficiency(eta: One) -> One:
+    """Efficiency while the load drives the motor, from the efficiency while the motor drives the load.
+
+    The friction loss is taken as the same in both directions. Zero at eta <= 0.5: the stage is self-locking.
+
+    >>> retrograde_efficiency(0.8)
+    0.75
+    >>> retrograde_efficiency(0.4)
+    0.0
+    """
+    return maximum(2 - 1 / eta, 0)
+
+
+def regenerative_factor(eta: Any, model: RegenerationModel) -> Any:
+    """Factor on a torque that returns power through a stage: eta itself, or SEW's eta' (shape of ``eta``)."""
+    return retrograde_efficiency(eta) if model == "sew" else eta
+
+
+def through_stage(torque: Any, speed: Any, eta: Any, model: RegenerationModel) -> Any:
+    """Torque (or force) on the driving side of a stage, before its ratio is applied.
+
+    ``torque`` and ``speed`` are signed in the same direction and broadcast: torque * speed > 0 drives (divided by eta),
+    < 0 returns power (multiplied), = 0 passes no power (unchanged: holding at standstill).
+    """
+    power = np.asarray(torque) * np.asarray(speed)
+    factor = np.where(power > 0, 1 / np.asarray(eta), np.where(power < 0, regenerative_factor(eta, model), 1.0))
+    result = torque * factor
+    return result.item() if np.ndim(result) == 0 else result

@@ -1,0 +1,23 @@
+"""All mechanisms, found by importing every module of this package: a new one needs no registration."""
+
+import importlib
+import pkgutil
+from collections.abc import Mapping
+
+from app.engine.mechanisms.base import Load, Mechanism, Statics
+
+
+def mechanisms() -> Mapping[str, type[Mechanism]]:
+    """Every mechanism by its kind, in alphabetical order of the kinds."""
+    for module in pkgutil.iter_modules(__path__):
+        importlib.import_module(f"{__name__}.{module.name}")
+    found = {cls.model_fields["kind"].default: cls for cls in _descendants(Mechanism) if "kind" in cls.model_fields}
+    return {kind: cls for kind, cls in sorted(found.items()) if isinstance(kind, str)}
+
+
+def _descendants(base: type[Mechanism]) -> set[type[Mechanism]]:
+    direct = set(base.__subclasses__())
+    return direct | {deeper for child in direct for deeper in _descendants(child)}
+
+
+__all__ = ["Load", "Mechanism", "Statics", "mechanisms"]

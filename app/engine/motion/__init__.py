@@ -1,0 +1,1 @@
+"""How a cycle is described and solved."""

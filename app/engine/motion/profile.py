@@ -1,0 +1,91 @@
+"""What a motion is once it is solved: consecutive segments of constant acceleration, signed, in SI.
+
+A linear motion is in m, m/s, m/s2; a rotary one in rad, rad/s, rad/s2. Positive is the direction away from the start;
+on an inclined axis positive is up.
+"""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import groupby
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Phase:
+    """Consecutive segments that belong together for the reader: one phase of one move."""
+
+    label: str
+    """e.g. ``"move 1: accelerating"``"""
+    start: int
+    stop: int
+    """Segments ``start`` to ``stop`` (exclusive) of the profile."""
+
+
+@dataclass(frozen=True)
+class MotionProfile:
+    """Segments of one cycle; all arrays have shape (n,), n >= 1. No segment changes its direction of motion inside."""
+
+    kind: Literal["linear", "rotary"]
+    duration: FloatArray
+    """[s], each > 0"""
+    speed_start: FloatArray
+    """[m/s or rad/s]"""
+    speed_end: FloatArray
+    payload: FloatArray
+    """Mass [kg] (linear) or inertia [kg m2] (rotary) carried in this segment beside the mechanism's own."""
+    process_force: FloatArray
+    """Force [N] (linear) or torque [N m] (rotary) that resists the motion; negative where it helps. At standstill it acts against
+    the direction of the move before."""
+    direction: FloatArray
+    """+1 or -1: direction of the motion; at standstill that of the move before."""
+    braked: BoolArray
+    """True where the axis stands and a brake holds it; False where it moves or the motor holds."""
+    label: tuple[str, ...]
+    """Phase of each segment, for the reader."""
+
+    @cached_property
+    def acceleration(self) -> FloatArray:
+        """Constant acceleration of each segment [m/s2 or rad/s2]."""
+        return (self.speed_end - self.speed_start) / self.duration
+
+    @cached_property
+    def mean_speed(self) -> FloatArray:
+        """Signed mean speed of each segment."""
+        return (self.speed_start + self.speed_end) / 2
+
+    @property
+    def cycle_time(self) -> float:
+        """Length of the cycle [s]."""
+        return float(self.duration.sum())
+
+    @property
+    def max_speed(self) -> float:
+        """Highest speed of the cycle, unsigned."""
+        return float(max(np.abs(self.speed_start).max(), np.abs(self.speed_end).max()))
+
+    @cached_property
+    def position(self) -> FloatArray:
+        """Position at the segment borders, shape (n + 1,), from 0."""
+        return np.concatenate(([0.0], np.cumsum(self.mean_speed * self.duration)))
+
+    @cached_property
+    def phases(self) -> tuple[Phase, ...]:
+        """Runs of segments with the same label, in time order."""
+        found, index = [], 0
+        for label, run in groupby(self.label):
+            length = len(list(run))
+            found.append(Phase(label, index, index + length))
+            index += length
+        return tuple(found)
+
+    def mirrored(self) -> "MotionProfile":
+        """The same motion in the opposite direction."""
+        return replace(
+            self, speed_start=-self.speed_start, speed_end=-self.speed_end, direction=-self.direction, label=self.label
+        )
