@@ -1,7 +1,6 @@
 # Drivewright: `make run` serves it, `make test` tests it; both prepare everything they need in .venv first.
 
 PYTHON ?= python3
-PORT ?= 8000
 VENV := .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
@@ -10,7 +9,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 .PHONY: help run test lint format bench screenshot clean
 
 help:  ## show this list
-	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' $(MAKEFILE_LIST) | column -t -s '|'
+	@sed -n 's/^\([a-z]*\):.*## /  make \1: /p' $(MAKEFILE_LIST)
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
@@ -32,7 +31,7 @@ $(VENV)/.tests: pyproject.toml constraints.txt | $(BIN)/python
 run: $(VENV)/.runtime  ## prepare the database, load the catalogue, serve (PORT=8000)
 	@$(BIN)/drivewright migrate
 	@$(BIN)/drivewright load-catalog
-	@exec $(BIN)/drivewright serve --port $(PORT)
+	@exec $(BIN)/drivewright serve $(if $(PORT),--port $(PORT))
 
 test: $(VENV)/.tests  ## run all tests, a real Chromium and PostgreSQL included
 	@$(BIN)/python tools/ensure_chromium.py || true
