@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from app.settings import Settings, read_settings
+from app.settings import Settings, read_settings, variable_of
 
 app = typer.Typer(
     name="drivewright",
@@ -27,16 +27,17 @@ def _settings() -> Settings:
         return read_settings()
     except ValidationError as error:
         for problem in error.errors():
-            typer.echo(f"setting {'.'.join(map(str, problem['loc']))}: {problem['msg']}", err=True)
+            typer.echo(f"{variable_of(problem['loc'])}: {problem['msg']}", err=True)
         raise typer.Exit(2) from None
 
 
 @app.command()
 def migrate() -> None:
     """Create the database or bring it up to date."""
+    settings = _settings()
     from app.db.migrate import upgrade
 
-    upgrade(_settings().database_url)
+    upgrade(settings.database_url)
 
 
 @app.command()

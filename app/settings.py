@@ -73,11 +73,16 @@ def read_settings() -> Settings:
     return Settings()
 
 
+def variable_of(location: tuple[int | str, ...]) -> str:
+    """Environment variable behind a field name or behind the location of a validation error."""
+    name = str(location[0]).upper()
+    return name if name == "DATABASE_URL" else f"DRIVEWRIGHT_{name}"
+
+
 def describe_variables() -> list[tuple[str, str, str]]:
     """Each setting as (environment variable, default as text, meaning), in order of declaration."""
     rows = []
     for name, field in Settings.model_fields.items():
-        variable = "DATABASE_URL" if name == "database_url" else f"DRIVEWRIGHT_{name.upper()}"
         default = "catalog_data" if name == "catalog_dir" else str(field.default)
-        rows.append((variable, default, field.description or ""))
+        rows.append((variable_of((name,)), default, field.description or ""))
     return rows
