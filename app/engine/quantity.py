@@ -285,7 +285,7 @@ class Quantity(Declaration):
         return self.from_si(value) if value is not None and info.by_alias else value
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        shown = core_schema.plain_serializer_function_ser_schema(self._serialize, info_arg=True)  # type: ignore[no-untyped-call]
+        shown = core_schema.plain_serializer_function_ser_schema(self._serialize, info_arg=True)
         number = core_schema.with_info_plain_validator_function(self.validate, serialization=shown)
         return core_schema.nullable_schema(number) if type(None) in get_args(source) else number
 

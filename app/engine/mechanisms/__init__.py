@@ -11,7 +11,8 @@ def mechanisms() -> Mapping[str, type[Mechanism]]:
     """Every mechanism by its kind, in alphabetical order of the kinds."""
     for module in pkgutil.iter_modules(__path__):
         importlib.import_module(f"{__name__}.{module.name}")
-    found = {cls.model_fields["kind"].default: cls for cls in _descendants(Mechanism) if "kind" in cls.model_fields}
+    base: type[Mechanism] = Mechanism  # type: ignore[type-abstract]
+    found = {cls.model_fields["kind"].default: cls for cls in _descendants(base) if "kind" in cls.model_fields}
     return {kind: cls for kind, cls in sorted(found.items()) if isinstance(kind, str)}
 
 
