@@ -49,9 +49,9 @@ format: $(VENV)/.tests  ## put the code into its standard form
 bench: $(VENV)/.tests  ## measure the figures of benchmarks/ and print them as JSON
 	@for file in benchmarks/[a-z]*.py; do $(BIN)/python $$file || exit 1; done
 
-screenshot: $(VENV)/.tests  ## take the picture of the README again
+screenshot: $(VENV)/.tests  ## take the picture of the README again (PAGE=/path of another page)
 	@$(BIN)/python tools/ensure_chromium.py
-	@$(BIN)/python tools/screenshot.py
+	@$(BIN)/python tools/screenshot.py $(PAGE)
 
 clean:  ## remove the environment and all caches, not the data
 	@rm -rf $(VENV) build *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -27,6 +27,9 @@ LONG_FUNCTIONS: dict[str, str] = {}
 """Functions that may be longer, as ``path:name``, each with the reason."""
 
 
+assert MODULES
+
+
 def offences(rule: Callable[[Module], list[str]]) -> list[str]:
     return [line for module in MODULES for line in rule(module)]
 
