@@ -34,6 +34,10 @@ def offences(rule: Callable[[Module], list[str]]) -> list[str]:
     return [line for module in MODULES for line in rule(module)]
 
 
+def assert_none(found: list[str]) -> None:
+    assert not found, "\n" + "\n".join(found)
+
+
 def test_everything_required_is_there():
     assert [name for name in REQUIRED if not (ROOT / name).exists()] == []
 
@@ -50,17 +54,17 @@ def test_everything_required_is_there():
     ids=lambda rule: rule.__name__,
 )
 def test_no_module_breaks(rule: Callable[[Module], list[str]]):
-    assert offences(rule) == []
+    assert_none(offences(rule))
 
 
 def test_no_modules_import_each_other_in_a_circle():
-    assert architecture.circles(MODULES) == []
+    assert_none(architecture.circles(MODULES))
 
 
 def test_functions_are_short():
     found = [line for module in MODULES for line in architecture.long_functions(module, FUNCTION_LINES)]
     excused = [tuple(entry.split(":")) for entry in LONG_FUNCTIONS]
-    assert [line for line in found if not any(line.startswith(p) and f" {f} " in line for p, f in excused)] == []
+    assert_none([line for line in found if not any(line.startswith(p) and f" {f} " in line for p, f in excused)])
 
 
 def test_files_are_short():
@@ -72,7 +76,7 @@ def test_files_are_short():
             count = len(file.read_text(encoding="utf-8").splitlines())
             if count > limit and path not in LONG_FILES:
                 found.append(f"{path}: {count} lines, more than {limit}")
-    assert found == []
+    assert_none(found)
 
 
 def test_no_file_names_a_package_index():
@@ -86,7 +90,7 @@ def test_no_file_names_a_package_index():
         if file.is_file() and file.suffix in suffixes:
             text = file.read_text(encoding="utf-8", errors="ignore")
             found += [f"{file.relative_to(ROOT)}: {host}" for host in hosts if host in text]
-    assert found == []
+    assert_none(found)
 
 
 def sample(name: str, source: str) -> Module:

@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 import time
+import urllib.error
 import urllib.request
 from pathlib import Path
 
@@ -62,8 +63,9 @@ def _first_answer(address: str, server: "subprocess.Popen[str]") -> str:
         try:
             with urllib.request.urlopen(address, timeout=5) as answer:
                 return str(answer.read().decode())
-        except OSError as error:
-            assert not hasattr(error, "code"), error
+        except urllib.error.HTTPError:
+            raise
+        except OSError:
             time.sleep(0.2)
     raise AssertionError("the server did not answer")
 
