@@ -13,6 +13,7 @@ header) each name carries its customary unit, and a value is converted here and 
 
 import inspect
 import math
+import operator
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -269,13 +270,13 @@ class Quantity(Declaration):
 
     def _check_range(self, si: float) -> None:
         bounds = (
-            ("greater_than", "greater than", self.gt, lambda limit: si > limit),
-            ("greater_than_equal", "at least", self.ge, lambda limit: si >= limit),
-            ("less_than", "less than", self.lt, lambda limit: si < limit),
-            ("less_than_equal", "at most", self.le, lambda limit: si <= limit),
+            ("greater_than", "greater than", self.gt, operator.gt),
+            ("greater_than_equal", "at least", self.ge, operator.ge),
+            ("less_than", "less than", self.lt, operator.lt),
+            ("less_than_equal", "at most", self.le, operator.le),
         )
         for code, words, limit, holds in bounds:
-            if limit is not None and not (math.isfinite(si) and holds(limit)):
+            if limit is not None and not holds(si, limit):
                 shown = f"{self.from_si(limit):g}" + ("" if self.unit == "1" else f" {self.unit}")
                 raise PydanticCustomError(
                     f"quantity_{code}", "must be {words} {limit}", {"words": words, "limit": shown}

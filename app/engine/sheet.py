@@ -74,6 +74,8 @@ class Decision:
     section: str
     text: str
     reason: str
+    position: int = 0
+    """Number of steps recorded before it: where it stands among them."""
 
 
 @dataclass(frozen=True)
@@ -204,7 +206,7 @@ class Sheet:
 
     def decide(self, text: str, reason: str) -> None:
         """Record the branch taken and why."""
-        self.decisions.append(Decision(self._section, text, reason))
+        self.decisions.append(Decision(self._section, text, reason, len(self.steps)))
 
     def check(
         self,
