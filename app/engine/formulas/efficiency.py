@@ -8,7 +8,8 @@ from typing import Any, Literal
 import numpy as np
 
 from app.engine.formula import formula, maximum
-from app.engine.units import One
+from app.engine.sheet import Sheet
+from app.engine.units import NewtonMetre, One
 
 RegenerationModel = Literal["eta", "sew"]
 
@@ -27,6 +28,30 @@ def retrograde_efficiency(eta: One) -> One:
     return maximum(2 - 1 / eta, 0)
 
 
+@formula(symbol="M", unit="N m", source="derived: the stage takes its loss from the driving side")
+def driving_stage_torque(T: NewtonMetre, eta: One) -> NewtonMetre:
+    """Torque that must be put into a stage while the load absorbs power: divided by the efficiency.
+
+    ``T`` net torque behind the stage, before its ratio; ``eta`` efficiency of the stage, 0 < eta <= 1.
+
+    >>> driving_stage_torque(9.0, 0.9)
+    10.0
+    """
+    return T / eta
+
+
+@formula(symbol="M", unit="N m", source="derived: the stage takes its loss from what the load returns")
+def returning_stage_torque(T: NewtonMetre, eta_r: One) -> NewtonMetre:
+    """Torque that arrives through a stage while the load returns power: multiplied by the efficiency.
+
+    ``T`` net torque behind the stage, before its ratio; ``eta_r`` efficiency while the load drives, 0 <= eta_r <= 1.
+
+    >>> returning_stage_torque(-10.0, 0.9)
+    -9.0
+    """
+    return T * eta_r
+
+
 def regenerative_factor(eta: Any, model: RegenerationModel) -> Any:
     """Factor on a torque that returns power through a stage: eta itself, or SEW's eta' (shape of ``eta``)."""
     return retrograde_efficiency(eta) if model == "sew" else eta
@@ -42,3 +67,26 @@ def through_stage(torque: Any, speed: Any, eta: Any, model: RegenerationModel) -
     factor = np.where(power > 0, 1 / np.asarray(eta), np.where(power < 0, regenerative_factor(eta, model), 1.0))
     result = torque * factor
     return result.item() if np.ndim(result) == 0 else result
+
+
+def record_stage(
+    sheet: Sheet,
+    torque: float,
+    speed: float,
+    eta: float,
+    model: RegenerationModel,
+    *,
+    key: str,
+    symbol: str,
+    label: str,
+) -> float:
+    """Record on the sheet what :func:`through_stage` does to one torque, and return the result.
+
+    Nothing is recorded at standstill: no power passes, the torque is returned unchanged.
+    """
+    if torque * speed > 0:
+        return sheet(driving_stage_torque, key=key, symbol=symbol, label=label, T=torque, eta=eta)
+    if torque * speed < 0:
+        eta_r = float(regenerative_factor(eta, model))
+        return sheet(returning_stage_torque, key=key, symbol=symbol, label=label, T=torque, eta_r=eta_r)
+    return torque
