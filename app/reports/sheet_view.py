@@ -1,0 +1,265 @@
+"""A calculation sheet made ready for reading: every text, number and formula that a page or a PDF shows, in order.
+
+The pages hand :class:`SheetView` to ``templates/partials/sheet/sheet.html``; templates compute nothing.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from markupsafe import Markup
+
+from app.engine.glossary import meaning
+from app.engine.sheet import Assumption, Check, Decision, Sheet, Step, Verdict
+from app.reports import formula_text, mathml, symbols
+from app.reports.numbers import ABSENT, join_unit, number, percent, show
+from app.reports.writer import Translate
+
+VERDICT_WORDS = {
+    Verdict.OK: "holds",
+    Verdict.TIGHT: "tight",
+    Verdict.FAILS: "fails",
+    Verdict.NOT_CHECKED: "not checked",
+}
+VERDICT_ICONS = {Verdict.OK: "✓", Verdict.TIGHT: "!", Verdict.FAILS: "✗", Verdict.NOT_CHECKED: "?"}
+BAR_END = 1.25
+"""Utilisation at the right end of a bar, so that an exceeded limit is seen to be exceeded."""
+
+
+@dataclass(frozen=True)
+class InputView:
+    """One number that was put into a formula."""
+
+    symbol: Markup
+    symbol_text: str
+    meaning: str
+    value: str
+
+
+@dataclass(frozen=True)
+class StepView:
+    """One evaluated formula."""
+
+    key: str
+    anchor: str
+    label: str
+    symbol: Markup
+    symbol_text: str
+    value: str
+    lines: tuple[Markup, ...]
+    """MathML: each equation in symbols and with numbers."""
+    inputs: tuple[InputView, ...]
+    formula: str
+    formula_anchor: str
+    source: str
+    summary: str
+    notes: tuple[Markup, ...]
+    """Assumptions and range of the formula."""
+    step: Step
+    """What was recorded, for a notation other than MathML."""
+    is_step: bool = True
+
+
+@dataclass(frozen=True)
+class DecisionView:
+    """A branch that was taken, and why."""
+
+    text: str
+    reason: str
+    is_step: bool = False
+
+
+@dataclass
+class SectionView:
+    """What stands under one heading, in the order in which it was computed; ``title`` may be empty."""
+
+    title: str
+    anchor: str
+    items: list[StepView | DecisionView] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class AssumptionView:
+    """A value that the user did not give."""
+
+    key: str
+    anchor: str
+    text: str
+    symbol: Markup
+    symbol_text: str
+    symbol_name: str
+    """The symbol as it is spelt in code, for a notation other than MathML."""
+    value: str
+    source: str
+
+
+@dataclass(frozen=True)
+class CheckView:
+    """A demand against its limit, with what a utilisation bar needs."""
+
+    key: str
+    anchor: str
+    name: str
+    section: str
+    demanded: str
+    permitted: str
+    utilisation: str
+    bar: float
+    """Length of the bar in percent of its track, 0 to 100."""
+    limit: float
+    """Where on the track the limit stands, in percent."""
+    verdict: str
+    """``ok``, ``tight``, ``fails`` or ``not_checked``: for classes, never for reading."""
+    verdict_word: str
+    icon: str
+    source: str
+    step_anchor: str
+    """Anchor of the step behind the demanded value, empty where there is none."""
+    missing: str
+
+
+@dataclass(frozen=True)
+class SheetView:
+    """A sheet for a reader."""
+
+    sections: tuple[SectionView, ...]
+    assumptions: tuple[AssumptionView, ...]
+    checks: tuple[CheckView, ...]
+    verdict: str
+    verdict_word: str
+    counts: dict[str, int]
+    """Number of checks by verdict."""
+
+
+def sheet_view(sheet: Sheet, translate: Translate = str) -> SheetView:
+    """Make a sheet ready for reading; ``translate`` turns the engine's English texts into the reader's language."""
+    verdict = overall(check.verdict for check in sheet.checks)
+    return SheetView(
+        sections=_sections(sheet, translate),
+        assumptions=tuple(_assumption(item, translate) for item in sheet.assumptions),
+        checks=tuple(_check(item, sheet, translate) for item in sheet.checks),
+        verdict=str(verdict),
+        verdict_word=translate(VERDICT_WORDS[verdict]),
+        counts={str(kind): sum(check.verdict == kind for check in sheet.checks) for kind in Verdict},
+    )
+
+
+def overall(verdicts: Iterable[Verdict]) -> Verdict:
+    """The worst of several verdicts; without any, nothing was checked.
+
+    >>> str(overall([Verdict.OK, Verdict.NOT_CHECKED, Verdict.TIGHT]))
+    'not_checked'
+    """
+    rank = [Verdict.OK, Verdict.TIGHT, Verdict.NOT_CHECKED, Verdict.FAILS]
+    return max(verdicts, key=rank.index, default=Verdict.NOT_CHECKED)
+
+
+def anchor(prefix: str, key: str) -> str:
+    """An identifier for an element of a page: what an URL fragment cannot carry becomes a hyphen.
+
+    >>> anchor("step", "torque_of_force#2")
+    'step-torque_of_force-2'
+    """
+    return f"{prefix}-{re.sub(r'[^A-Za-z0-9_.-]+', '-', key).strip('-')}"
+
+
+def _sections(sheet: Sheet, translate: Translate) -> tuple[SectionView, ...]:
+    entries: list[tuple[int, int, Step | Decision]] = [(n, 1, step) for n, step in enumerate(sheet.steps)]
+    entries += [(decision.position, 0, decision) for decision in sheet.decisions]
+    made: dict[str, SectionView] = {}
+    for _, _, entry in sorted(entries, key=lambda entry: entry[:2]):
+        title = entry.section
+        if title not in made:
+            made[title] = SectionView(translate(title) if title else "", f"section-{len(made) + 1}")
+        if isinstance(entry, Step):
+            made[title].items.append(_step(entry, translate))
+        else:
+            made[title].items.append(DecisionView(translate(entry.text), translate(entry.reason)))
+    return tuple(made.values())
+
+
+def _step(step: Step, translate: Translate) -> StepView:
+    text = formula_text.read(step.formula)
+    name = step.symbol
+    return StepView(
+        key=step.key,
+        anchor=anchor("step", step.key),
+        label=translate(step.label),
+        symbol=mathml.symbol(name),
+        symbol_text=symbols.read(name).text,
+        value=show(step.value, step.unit),
+        lines=mathml.with_numbers(
+            step.formula, step.inputs, step.value, name=name, unit=step.unit, translate=translate
+        ),
+        inputs=tuple(
+            InputView(
+                mathml.symbol(argument), symbols.read(argument).text, translate(meaning(argument)), show(value, unit)
+            )
+            for argument, unit in step.formula.parameters.items()
+            if (value := step.inputs.get(argument)) is not None
+        ),
+        formula=step.formula.name,
+        formula_anchor=anchor("formula", step.formula.name),
+        source=step.formula.source,
+        summary=translate(text.summary),
+        notes=tuple(formula_text.to_html(paragraph, step.formula, translate) for paragraph in text.paragraphs),
+        step=step,
+    )
+
+
+def _assumption(item: Assumption, translate: Translate) -> AssumptionView:
+    return AssumptionView(
+        key=item.key,
+        anchor=anchor("assumption", item.key),
+        text=translate(item.text),
+        symbol=mathml.symbol(item.symbol),
+        symbol_text=symbols.read(item.symbol).text if item.symbol else "",
+        symbol_name=item.symbol,
+        value=_any_value(item.value, item.unit, translate),
+        source=translate(item.source) if item.source else "",
+    )
+
+
+def _any_value(value: Any, unit: str, translate: Translate) -> str:
+    """A quantity, a flag, a count or a chosen word."""
+    match value:
+        case None:
+            return ""
+        case bool():
+            return translate("yes") if value else translate("no")
+        case int():
+            return join_unit(number(value), unit) if unit == "1" else show(value, unit)
+        case float():
+            return show(value, unit)
+        case str():
+            return translate(value.replace("_", " ")) if value else ABSENT
+        case list() | tuple():
+            return "; ".join(_any_value(item, unit, translate) for item in value)
+    return str(value)
+
+
+def _check(check: Check, sheet: Sheet, translate: Translate) -> CheckView:
+    used = check.utilisation
+    behind = next((step for step in reversed(sheet.steps) if check.formula and _belongs(step, check.formula)), None)
+    return CheckView(
+        key=check.key,
+        anchor=anchor("check", check.key),
+        name=translate(check.name),
+        section=translate(check.section) if check.section else "",
+        demanded=show(check.demanded, check.unit),
+        permitted=show(check.permitted, check.unit),
+        utilisation=percent(used),
+        bar=round(100 * min(used or 0.0, BAR_END) / BAR_END, 1),
+        limit=round(100 / BAR_END, 1),
+        verdict=str(check.verdict),
+        verdict_word=translate(VERDICT_WORDS[check.verdict]),
+        icon=VERDICT_ICONS[check.verdict],
+        source=translate(check.source) if check.source else "",
+        step_anchor=anchor("step", behind.key) if behind else "",
+        missing=translate(check.missing) if check.missing else "",
+    )
+
+
+def _belongs(step: Step, formula: str) -> bool:
+    return formula in (step.key, step.formula.name)
