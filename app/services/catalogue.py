@@ -1,0 +1,108 @@
+"""The catalogue as use cases see it: engine records ready to calculate with, and tables to browse.
+
+The records of a catalogue are read once and kept until another catalogue is loaded; they belong to the object that the
+application made, not to the module.
+"""
+
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from app.catalog.repository import CatalogRepository
+from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
+from app.engine.selection import GearArrays, MotorArrays
+from app.services.errors import NotFound
+
+RECHECK_SECONDS = 2.0
+"""A catalogue loaded by another process is noticed within this time."""
+
+_WORDS = {"motor": "servo motor", "gear_unit": "servo gear unit", "servo_drive": "servo drive"}
+
+
+@dataclass(frozen=True)
+class CatalogueSnapshot:
+    """All servo products of one catalogue version, in SI, in the order of the catalogue."""
+
+    version: str
+    motors: tuple[ServoMotor, ...]
+    gear_units: tuple[ServoGearUnit, ...]
+    servo_drives: tuple[ServoDrive, ...]
+    editions: Mapping[str, str]
+    """Edition key (``maker:edition``) and citation."""
+
+    @cached_property
+    def _by_id(self) -> dict[str, dict[str, Product]]:
+        roles: dict[str, Sequence[Product]] = {
+            "motor": self.motors,
+            "gear_unit": self.gear_units,
+            "servo_drive": self.servo_drives,
+        }
+        return {role: {product.id: product for product in products} for role, products in roles.items()}
+
+    @cached_property
+    def motor_arrays(self) -> MotorArrays:
+        """All motors, ready for the selection."""
+        return MotorArrays.from_records(self.motors)
+
+    @cached_property
+    def gear_arrays(self) -> GearArrays:
+        """All gear units, ready for the selection."""
+        return GearArrays.from_records(self.gear_units)
+
+    def product(self, role: str, product_id: str) -> Product:
+        """One product by role (``motor``, ``gear_unit``, ``servo_drive``) and id. Raises NotFound."""
+        found = self._by_id[role].get(product_id)
+        if found is None:
+            raise NotFound(f"names no {_WORDS[role]} of the catalogue that is loaded")
+        return found
+
+    def editions_of(self, product_ids: Sequence[str]) -> dict[str, str]:
+        """The editions that products come from, by key, with their citations."""
+        keys = {":".join(product_id.split(":")[1:3]) for product_id in product_ids}
+        return {key: self.editions[key] for key in sorted(keys) if key in self.editions}
+
+
+class CatalogueCache:
+    """Hands out the newest snapshot; safe to use from several threads. ``sessions`` opens a session for reading."""
+
+    def __init__(self, sessions: Callable[[], Session], clock: Callable[[], float] = time.monotonic) -> None:
+        self._sessions = sessions
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._checked = float("-inf")
+        self._snapshot: CatalogueSnapshot | None = None
+
+    def snapshot(self) -> CatalogueSnapshot:
+        """The products of the catalogue that is loaded; read again only after another one was loaded."""
+        with self._lock:
+            if self._snapshot is None or self._clock() - self._checked > RECHECK_SECONDS:
+                self._snapshot = self._newest(self._snapshot)
+                self._checked = self._clock()
+            return self._snapshot
+
+    def _newest(self, known: CatalogueSnapshot | None) -> CatalogueSnapshot:
+        with self._sessions() as session:
+            repository = CatalogRepository(session)
+            version = repository.catalogue_version()
+            if known is not None and known.version == version:
+                return known
+            return CatalogueSnapshot(
+                version=version,
+                motors=tuple(repository.servo_motors()),
+                gear_units=tuple(repository.servo_gear_units()),
+                servo_drives=tuple(repository.servo_drives()),
+                editions={edition.key: edition.citation for edition in repository.editions()},
+            )
+
+
+def edition_lines(snapshot: CatalogueSnapshot) -> list[dict[str, str]]:
+    """Editions in use, as they are stored with a saved project."""
+    return [{"key": key, "citation": citation} for key, citation in snapshot.editions.items()]
+
+
+Row = dict[str, Any]

@@ -1,0 +1,176 @@
+"""What a sizing and a selection are asked with: one declared model for pages, REST, projects, examples and files.
+
+The mechanisms and motions are found, not listed: a new one appears here by itself.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+
+from pydantic import Field, StringConstraints, ValidationError, ValidationInfo, field_validator, model_validator
+from pydantic_core import InitErrorDetails, PydanticCustomError
+
+from app.engine.drives.servo import OwnGearUnit, OwnServoMotor, ServoRules
+from app.engine.environment import Environment
+from app.engine.mechanisms import mechanisms
+from app.engine.mechanisms.base import Mechanism
+from app.engine.motion import Motion
+from app.engine.optimum import OptimumInput
+from app.engine.quantity import Declared, Option
+from app.services.reading import read
+
+if TYPE_CHECKING:
+    AnyMechanism = Mechanism
+else:
+    _KINDS = tuple(mechanisms().values())
+    AnyMechanism = Annotated[Union[_KINDS], Field(discriminator="kind")]  # noqa: UP007
+
+ProductId = Annotated[str, StringConstraints(min_length=1, max_length=200)]
+Name = Annotated[str, StringConstraints(max_length=200)]
+
+
+class _Part(Declared):
+    """A product: out of the catalogue, or typed from its data sheet. Exactly one of the two."""
+
+    id: Annotated[ProductId | None, Option(default=None, about="identifier of a product of the catalogue")]
+
+    @model_validator(mode="after")
+    def _exactly_one(self) -> "_Part":
+        if (self.id is None) == (getattr(self, "own", None) is None):
+            own = "own" in type(self).model_fields
+            raise PydanticCustomError(
+                "part", 'give either "id" or "own" (values of a data sheet)' if own else 'give the "id" of a product'
+            )
+        return self
+
+
+class MotorChoice(_Part):
+    """The motor: ``{"id": ...}`` or ``{"own": {...}}``."""
+
+    own: OwnServoMotor | None = None
+
+
+class GearUnitChoice(_Part):
+    """The gear unit: ``{"id": ...}`` or ``{"own": {...}}``."""
+
+    own: OwnGearUnit | None = None
+
+
+class ServoDriveChoice(_Part):
+    """The servo drive: ``{"id": ...}``."""
+
+
+class ServoDriveRequest(ServoRules):
+    """A servo drive: the rules it is judged by, and its parts as far as they are chosen.
+
+    Without a motor the result is the demand at the motor shaft, with a rotor inertia of zero.
+    """
+
+    kind: Literal["servo"] = "servo"
+    motor: MotorChoice | None = None
+    gear_unit: GearUnitChoice | None = None
+    servo_drive: ServoDriveChoice | None = None
+
+
+class SizingRequest(Declared):
+    """One axis: mechanism, motion, surroundings and drive."""
+
+    name: Annotated[Name, Option(default="", about="name of the axis")]
+    notes: Annotated[
+        Annotated[str, StringConstraints(max_length=4000)], Option(default="", about="notes for whoever reads this")
+    ]
+    mechanism: AnyMechanism
+    motion: Motion
+    environment: Environment = Field(default_factory=lambda: Environment.model_validate({}))
+    drive: ServoDriveRequest = Field(default_factory=lambda: ServoDriveRequest.model_validate({}))
+    optimum: OptimumInput | None = None
+
+    @field_validator("motion")
+    @classmethod
+    def _fits_the_mechanism(cls, motion: Any, info: ValidationInfo) -> Any:
+        """A linear mechanism needs a linear motion, a rotary one a rotary one."""
+        mechanism = info.data.get("mechanism")
+        if mechanism is None or motion.motion_kind == mechanism.motion_kind:
+            return motion
+        words = {"linear": "a linear motion (distances)", "rotary": "a rotary motion (angles or turns)"}
+        problem = PydanticCustomError(
+            "motion_kind",
+            "describes {given}, but the mechanism ({mechanism}) needs {needed}",
+            {
+                "given": words[motion.motion_kind],
+                "needed": words[mechanism.motion_kind],
+                "mechanism": mechanism.title,
+            },
+        )
+        raise ValidationError.from_exception_data(
+            "motion", [InitErrorDetails(type=problem, loc=("kind",), input=motion.kind)]
+        )
+
+
+Texts = Annotated[
+    tuple[Annotated[str, StringConstraints(min_length=1, max_length=120)], ...], Field(max_length=50)
+]
+Ranking = Literal["utilisation", "mass", "rated_torque", "inertia_match"]
+
+
+class SelectionFilter(Declared):
+    """Which catalogue products are admitted; an empty list admits all."""
+
+    manufacturers: Annotated[Texts, Option(default=(), about="makers of motors that are admitted")]
+    series: Annotated[Texts, Option(default=(), about="series of motors that are admitted")]
+    gear_manufacturers: Annotated[Texts, Option(default=(), about="makers of gear units that are admitted")]
+    gear_series: Annotated[Texts, Option(default=(), about="series of gear units that are admitted")]
+    direct: Annotated[bool, Option(default=True, about="admit motors without gear unit")]
+    geared: Annotated[bool, Option(default=True, about="admit motors with gear unit")]
+
+
+class SelectionRequest(SizingRequest):
+    """One axis, and how the candidates for its drive are filtered and ranked.
+
+    A motor or gear unit named under ``drive`` is kept: only the rest is searched.
+    """
+
+    filters: SelectionFilter = Field(default_factory=lambda: SelectionFilter.model_validate({}))
+    ranking: Annotated[
+        Ranking,
+        Option(
+            default="utilisation",
+            about="what the candidates are ranked by",
+            labels={
+                "utilisation": "best used without failing a check",
+                "mass": "least mass",
+                "rated_torque": "smallest rated torque",
+                "inertia_match": "inertia ratio closest to one",
+            },
+        ),
+    ]
+    demand_all_checks: Annotated[
+        bool, Option(default=False, about="admit only candidates whose data sheet allows every check")
+    ]
+    limit: Annotated[int, Option(default=20, ge=1, le=200, about="how many candidates are listed")]
+    offset: Annotated[int, Option(default=0, ge=0, le=10_000_000, about="how many candidates are skipped")]
+
+
+@dataclass(frozen=True)
+class Typed:
+    """A parsed request beside what was typed: the first is calculated, the second is stored and shown again."""
+
+    request: SizingRequest
+    raw: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def selection(self) -> SelectionRequest:
+        """The request as a selection; TypeError when it is a sizing."""
+        if not isinstance(self.request, SelectionRequest):
+            raise TypeError("this request asks for a sizing, not for a selection")
+        return self.request
+
+
+def read_sizing(raw: Any) -> Typed:
+    """Parse a sizing request; raises InvalidInput with the path of every refused value."""
+    return Typed(read(SizingRequest, raw), raw)
+
+
+def read_selection(raw: Any) -> Typed:
+    """Parse a selection request; raises InvalidInput with the path of every refused value."""
+    return Typed(read(SelectionRequest, raw), raw)
