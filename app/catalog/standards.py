@@ -1,0 +1,65 @@
+"""Standard tables of an edition: one JSON file each, ``{"title": ..., "unit": ..., "note": ..., "data": ...}``."""
+
+import json
+from typing import Any
+
+from app.catalog.report import LoadReport
+from app.db.models import StandardTable
+
+FIELDS = ("title", "unit", "note", "data")
+REQUIRED = ("title", "data")
+
+
+def read_standard_table(content: bytes, key: str, file: str, report: LoadReport) -> dict[str, Any] | None:
+    """Row of the table ``standard_table`` (without edition and source); None when ``report`` says what is wrong."""
+    try:
+        found = json.loads(content.decode("utf-8-sig"), parse_constant=_refuse, object_pairs_hook=_no_twice)
+    except json.JSONDecodeError as error:
+        report.error(file, f"is no valid JSON: {error.msg}", error.lineno, str(error.colno))
+        return None
+    except (UnicodeDecodeError, ValueError, RecursionError) as error:
+        report.error(file, f"is no valid JSON: {error}")
+        return None
+    before = len(report.errors)
+    if not isinstance(found, dict):
+        report.error(file, f"must be an object with {', '.join(FIELDS)}")
+        return None
+    for name in found:
+        if name not in FIELDS:
+            report.error(file, f"unknown entry; the entries are {', '.join(FIELDS)}", column=name)
+    for name in REQUIRED:
+        if found.get(name) in (None, "", [], {}):
+            report.error(file, "is missing or empty", column=name)
+    _check_length(key, "key", file, report)
+    for name in ("title", "unit", "note"):
+        if not isinstance(found.get(name), (str, type(None))):
+            report.error(file, "must be a text", column=name)
+        else:
+            _check_length(found.get(name), name, file, report)
+    if len(report.errors) > before:
+        return None
+    return {
+        "key": key,
+        "title": found["title"],
+        "unit": found.get("unit"),
+        "note": found.get("note"),
+        "payload": found["data"],
+    }
+
+
+def _check_length(value: str | None, name: str, file: str, report: LoadReport) -> None:
+    limit = StandardTable.__table__.columns[name].type.length  # type: ignore[attr-defined]
+    if value is not None and len(value) > limit:
+        report.error(file, f"is longer than {limit} characters", column=name)
+
+
+def _refuse(constant: str) -> Any:
+    raise ValueError(f"{constant} is no number")
+
+
+def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) != len(pairs):
+        names = [name for name, _ in pairs]
+        raise ValueError(f"{next(name for name in names if names.count(name) > 1)!r} stands twice in one object")
+    return found
