@@ -4,6 +4,7 @@ Every command imports what it needs inside itself, so that ``--help`` is quick a
 command only.
 """
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -38,6 +39,27 @@ def migrate() -> None:
     from app.db.migrate import upgrade
 
     upgrade(settings.database_url)
+
+
+@app.command("load-catalog")
+def load_catalog(
+    directory: Annotated[
+        Path | None, typer.Argument(help="Folder of editions, instead of the shipped catalogue.")
+    ] = None,
+) -> None:
+    """Read a folder of catalogue editions into the database; exit code 1 when a file is refused (nothing is loaded)."""
+    from app.catalog import load
+    from app.db.session import make_engine
+
+    settings = _settings()
+    engine = make_engine(settings.database_url)
+    try:
+        report = load.load_catalog(engine, directory or settings.catalog_dir)
+    finally:
+        engine.dispose()
+    typer.echo(report.render(), err=not report.ok)
+    if not report.ok:
+        raise typer.Exit(1)
 
 
 @app.command()

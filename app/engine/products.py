@@ -13,7 +13,7 @@ class Product:
     """What every product carries: who makes it, what it is called and where its values were read."""
 
     id: str
-    """Stable catalogue identifier ``servo-motor:<maker>:<edition>:<order code>``; ``"own"`` for a row that the user typed."""
+    """Stable identifier ``servo-motor:<maker>:<edition>:<order code>``; ``"own"`` for a row that the user typed."""
     manufacturer: str
     series: str
     model: str
