@@ -41,3 +41,16 @@ def test_the_browser_runs_scripts(chromium: "Browser"):
     page.set_content("<p id=speed></p><script>document.getElementById('speed').textContent = 50 * 60 / 2</script>")
     assert page.text_content("#speed") == "1500"
     page.close()
+
+
+def test_a_database_of_a_test_is_its_own_and_holds_the_catalogue(any_database: str):
+    assert run(any_database, "SELECT count(*) FROM servo_drive") > [(0,)]
+    run(any_database, "DELETE FROM servo_drive")
+    assert run(any_database, "SELECT count(*) FROM servo_drive") == [(0,)]
+
+
+def test_sqlite_and_postgresql_hold_the_same_rows(database: str, postgres_database: str):
+    for table in ("catalog_edition", "servo_motor", "servo_gear_unit", "servo_drive", "standard_table"):
+        counted = run(database, f"SELECT count(*) FROM {table}")
+        assert counted == run(postgres_database, f"SELECT count(*) FROM {table}")
+        assert counted > [(0,)], table
