@@ -223,13 +223,18 @@ def symbolic(formula: Formula[..., Any], symbol: str = "") -> tuple[Equation, ..
     return tuple(Equation(name or symbol or formula.symbol, tree) for name, tree in _trees(formula))
 
 
+def all_inputs(formula: Formula[..., Any], inputs: Mapping[str, Any]) -> dict[str, Any]:
+    """The inputs of a formula in the order of its arguments, with the defaults of those not given."""
+    bound = inspect.signature(formula.function).bind(**inputs)
+    bound.apply_defaults()
+    return dict(bound.arguments)
+
+
 def with_numbers(
     formula: Formula[..., Any], inputs: Mapping[str, Any], value: Any, *, symbol: str = "", unit: str = ""
 ) -> tuple[Equation, ...]:
     """Equations of an evaluated formula: ``inputs`` and ``value`` in SI, ``unit`` the one in which it is shown."""
-    bound = inspect.signature(formula.function).bind(**inputs)
-    bound.apply_defaults()
-    known: dict[str, Any] = dict(bound.arguments)
+    known = all_inputs(formula, inputs)
     made = []
     for name, tree in _trees(formula):
         put = substituted(tree, known)

@@ -92,9 +92,11 @@ def _identifier(text: str) -> str:
     return f"<mi>{escape(text)}</mi>" if text.isalnum() else f"<mtext>{escape(text)}</mtext>"
 
 
-def math(inner: str, *, block: bool = True) -> Markup:
-    """Wrap written MathML into its ``<math>`` element."""
-    return Markup('<math display="{}">').format("block" if block else "inline") + Markup(inner) + Markup("</math>")
+def math(inner: str, *, block: bool = True, continued: bool = False) -> Markup:
+    """Wrap written MathML into its ``<math>`` element; a line that continues the one above gets a class of its own."""
+    kind = Markup(' class="continued"') if continued else Markup("")
+    shown = "block" if block else "inline"
+    return Markup('<math display="{}"{}>').format(shown, kind) + Markup(inner) + Markup("</math>")
 
 
 def symbol(name: str) -> Markup:
@@ -134,4 +136,6 @@ def with_numbers(
 
 def _lines(equations: tuple[Equation, ...], translate: Translate) -> tuple[Markup, ...]:
     writer = MathmlWriter(translate=translate)
-    return tuple(math(line) for equation in equations for line in writer.lines(equation))
+    return tuple(
+        math(line, continued=index > 0) for equation in equations for index, line in enumerate(writer.lines(equation))
+    )

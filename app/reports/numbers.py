@@ -18,7 +18,7 @@ ABSENT = "–"
 """Stands for a value that is not known."""
 MINUS = "−"
 ELLIPSIS = "…"
-_PLAIN_FROM, _PLAIN_BELOW = -3, 6
+_PLAIN_FROM, _PLAIN_BELOW = -4, 6
 """Powers of ten between which a number is written without a factor 10^n."""
 _SHOWN_ELEMENTS = 5
 """Elements of an array that are listed; a longer one is shortened to the first and the last ones."""

@@ -4,6 +4,9 @@ from collections.abc import Collection, Sequence
 
 from app.reports.typst import literal
 
+_MANY_COLUMNS = 6
+"""A table with more columns is set in smaller type."""
+
 LAYOUT = """
 #let muted = rgb("#56606b")
 #let line-colour = rgb("#c3c8ce")
@@ -27,9 +30,13 @@ LAYOUT = """
 #show figure: set block(breakable: false)
 #show math.equation.where(block: true): set align(left)
 #set table(stroke: none, inset: (x: 4pt, y: 3pt))
+#let fitted(body) = layout(size => {
+  let width = measure(body).width
+  if width > size.width { scale(size.width / width * 100%, reflow: true, body) } else { body }
+})
 #let step(label, source, lines) = block(breakable: false, above: 1em, below: 1em, width: 100%)[
-  #text(weight: 600, label) #h(1fr) #text(size: 8pt, fill: muted, source)
-  #pad(left: 5mm, stack(spacing: 0.7em, ..lines))
+  #grid(columns: (1fr, 60mm), align: (left, right), text(weight: 600, label), text(size: 8pt, fill: muted, source))
+  #pad(left: 5mm, stack(spacing: 0.7em, ..lines.map(fitted)))
 ]
 #let decision(what, reason) = block(above: 1em, below: 1em, inset: (left: 6pt), stroke: (left: 1.5pt + line-colour))[
   #text(weight: 600, what) #linebreak() #text(fill: muted, reason)
@@ -70,5 +77,6 @@ def grid(
     aligned = ", ".join("right" if index in numeric else "left" for index in range(count))
     head = f"table.header({', '.join(f'[*{text(name)}*]' for name in columns)}), table.hline(stroke: 0.8pt), "
     cells = ", ".join(f"[{cell}]" for row in rows for cell in row)
-    lines = "stroke: (_, y) => (bottom: 0.4pt + line-colour)"
-    return f"#table(columns: {widths or count}, align: ({aligned},), {lines}, {head if columns else ''}{cells})"
+    settings = f"columns: {widths or count}, align: ({aligned},), stroke: (_, y) => (bottom: 0.4pt + line-colour)"
+    size = "8pt" if count > _MANY_COLUMNS else "9pt"
+    return f"#[#set text(size: {size})\n#table({settings}, {head if columns else ''}{cells})]"

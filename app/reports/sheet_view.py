@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from app.engine.glossary import meaning
 from app.engine.sheet import Assumption, Check, Decision, Sheet, Step, Verdict
-from app.reports import formula_text, mathml, symbols
+from app.reports import expression, formula_text, mathml, symbols
 from app.reports.numbers import ABSENT, join_unit, number, percent, show
 from app.reports.writer import Translate
 
@@ -54,6 +54,7 @@ class StepView:
     formula_anchor: str
     source: str
     summary: str
+    """What the formula computes; empty where the label says that already."""
     notes: tuple[Markup, ...]
     """Assumptions and range of the formula."""
     step: Step
@@ -185,7 +186,7 @@ def _step(step: Step, translate: Translate) -> StepView:
     return StepView(
         key=step.key,
         anchor=anchor("step", step.key),
-        label=translate(step.label),
+        label=translate(step.label).removesuffix("."),
         symbol=mathml.symbol(name),
         symbol_text=symbols.read(name).text,
         value=show(step.value, step.unit),
@@ -194,15 +195,17 @@ def _step(step: Step, translate: Translate) -> StepView:
         ),
         inputs=tuple(
             InputView(
-                mathml.symbol(argument), symbols.read(argument).text, translate(meaning(argument)), show(value, unit)
+                mathml.symbol(argument),
+                symbols.read(argument).text,
+                translate(meaning(argument)),
+                show(value, step.formula.parameters[argument]),
             )
-            for argument, unit in step.formula.parameters.items()
-            if (value := step.inputs.get(argument)) is not None
+            for argument, value in expression.all_inputs(step.formula, step.inputs).items()
         ),
         formula=step.formula.name,
         formula_anchor=anchor("formula", step.formula.name),
         source=step.formula.source,
-        summary=translate(text.summary),
+        summary=translate(text.summary) if text.summary != step.label else "",
         notes=tuple(formula_text.to_html(paragraph, step.formula, translate) for paragraph in text.paragraphs),
         step=step,
     )

@@ -13,6 +13,8 @@ from app.reports.numbers import ELLIPSIS, MINUS, Rounded
 from app.reports.symbols import Symbol
 from app.reports.writer import Translate, Writer
 
+_SIGN = 'class("unary", minus)'
+
 
 def literal(text: str) -> str:
     r"""A Typst string literal, valid in code and in formulas; control characters become blanks.
@@ -34,7 +36,7 @@ class TypstWriter(Writer):
         return {"<": "lt", ">": "gt", "·": "dot.op", "−": "minus"}.get(sign, sign)
 
     def minus(self, operand: str) -> str:
-        return f"minus {operand}"
+        return f"{_SIGN} {operand}"
 
     def symbol(self, symbol: Symbol, power: str = "") -> str:
         base = symbol.base if _is_letter(symbol.base) else _upright(symbol.base)
@@ -48,7 +50,7 @@ class TypstWriter(Writer):
         return f"attach({base}, {', '.join(attached)})"
 
     def number(self, number: Rounded) -> str:
-        sign = "minus " if number.negative else ""
+        sign = f"{_SIGN} " if number.negative else ""
         digits = sign + literal(number.mantissa.removeprefix(MINUS))
         if number.exponent is None:
             return digits
@@ -56,11 +58,10 @@ class TypstWriter(Writer):
         return f'{digits} dot.op attach("10", t: {power})'
 
     def array(self, items: list[str]) -> str:
-        shown = ' class("punctuation", ";") '.join(item or literal(ELLIPSIS) for item in items)
-        return f'lr("[" {shown} "]")'
+        return f"lr([{'; '.join(item or literal(ELLIPSIS) for item in items)}])"
 
     def unit(self, unit: str) -> str:
-        return f"thin {_upright(unit)}" if unit else ""
+        return f"thin {literal(unit)}" if unit else ""
 
     def brackets(self, inner: str) -> str:
         return f"lr(({inner}))"
