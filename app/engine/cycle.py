@@ -29,7 +29,7 @@ _FLAT = 1e-12
 
 @dataclass(frozen=True)
 class CycleSums:
-    """What remains of a cycle for effective torque and mean speed; a segment with the brake closed counts as time only."""
+    """What remains of a cycle for effective torque and mean speed; a braked segment counts as time only."""
 
     driving_torque2: float
     """Sum of T^2 dt where the load absorbs power [N2 m2 s]"""
