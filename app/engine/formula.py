@@ -66,7 +66,7 @@ class Formula(Generic[P, R]):
         plain = [_array(value) for value in args]
         named = {name: _array(value) for name, value in kwargs.items()}
         result: Any = self.function(*plain, **named)
-        value: R = result.item() if isinstance(result, np.generic) else result
+        value: R = result.item() if isinstance(result, (np.generic, np.ndarray)) and result.ndim == 0 else result
         return value
 
     def __repr__(self) -> str:
