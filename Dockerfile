@@ -21,18 +21,13 @@ WORKDIR /srv/drivewright
 RUN useradd --system --uid 10001 --home-dir /srv/drivewright --shell /usr/sbin/nologin drivewright \
     && install -d -o drivewright -g drivewright var
 COPY --from=build /opt/venv /opt/venv
-COPY pyproject.toml alembic.ini* ./
-COPY tools/container_start.sh /usr/local/bin/container_start
-COPY migrations migrations
-COPY catalog_data catalog_data
-COPY static static
-COPY templates templates
-COPY app app
+# What is copied is listed in .dockerignore.
+COPY . .
 USER drivewright
 # Without DATABASE_URL the data are an SQLite file in this folder.
 VOLUME /srv/drivewright/var
 EXPOSE 8000
 HEALTHCHECK --interval=15s --timeout=5s --start-period=60s --retries=3 \
     CMD ["python", "-c", "import os, urllib.request as u; u.urlopen('http://127.0.0.1:' + os.environ['DRIVEWRIGHT_PORT'] + '/healthz', timeout=4)"]
-ENTRYPOINT ["container_start"]
+ENTRYPOINT ["/srv/drivewright/tools/container_start.sh"]
 CMD ["drivewright", "serve"]

@@ -120,10 +120,16 @@ def test_the_image_is_pinned_runs_without_root_and_reports_its_health():
     assert not re.search(r"PASSWORD|SECRET|TOKEN", text)
 
 
-def test_what_the_image_copies_exists_and_is_not_ignored():
-    copied = re.findall(r"^COPY (?!--from)(.+) \S+$", (ROOT / "Dockerfile").read_text(), re.MULTILINE)
+def test_the_image_holds_every_folder_that_runs():
     kept = {line[1:] for line in (ROOT / ".dockerignore").read_text().splitlines() if line.startswith("!")}
-    sources = {source for line in copied for source in line.split() if not source.endswith("*")}
+    generated = re.compile(r"\..*|.*\.egg-info|__pycache__|var|build|dist|node_modules")
+    folders = {path.name for path in ROOT.iterdir() if path.is_dir() and not generated.fullmatch(path.name)}
+    assert folders - kept == folders & {"tests", "benchmarks", "docs", "tools"}
+    dockerfile = (ROOT / "Dockerfile").read_text()
+    copied = re.findall(r"^COPY (?!--from)(.+) \S+$", dockerfile, re.MULTILINE)
+    started = re.findall(r"^ENTRYPOINT .*/srv/drivewright/([^\"]+)", dockerfile, re.MULTILINE)
+    sources = {source for line in [*copied, *started] for source in line.split()} - {"."}
+    assert sources
     assert sources - kept == set()
     assert [source for source in sources if not (ROOT / source).exists()] == []
 
