@@ -24,13 +24,19 @@ class BrowseError(ValueError):
 
 @dataclass(frozen=True, kw_only=True)
 class BrowseQuery:
-    """What to show of a table. ``sort`` names a column (empty: as printed); ``page`` counts from 1."""
+    """What to show of a table. ``sort`` names a column (empty: as printed); ``page`` counts from 1; an ``offset`` in rows stands above it."""
 
     filter: ProductFilter = field(default_factory=ProductFilter)
     sort: str = ""
     descending: bool = False
     page: int = 1
     page_size: int = 50
+    offset: int | None = None
+
+    @property
+    def skipped(self) -> int:
+        """Rows before the page."""
+        return (self.page - 1) * self.page_size if self.offset is None else self.offset
 
 
 @dataclass(frozen=True)
@@ -70,7 +76,7 @@ def browse_page(
     statement = _rows(spec).where(*where)
     total = session.execute(select(func.count()).select_from(statement.subquery())).scalar_one()
     statement = statement.order_by(*_order(spec, query))
-    statement = statement.limit(query.page_size).offset(min((query.page - 1) * query.page_size, 2**31))
+    statement = statement.limit(query.page_size).offset(min(query.skipped, 2**31))
     found = session.execute(statement).mappings()
     rows = [_as_printed(spec, row, editions) for row in found]
     return BrowsePage(spec.name, spec.title, list(spec.columns.values()), rows, total, query.page, query.page_size)
