@@ -24,7 +24,10 @@ class BrowseError(ValueError):
 
 @dataclass(frozen=True, kw_only=True)
 class BrowseQuery:
-    """What to show of a table. ``sort`` names a column (empty: as printed); ``page`` counts from 1; an ``offset`` in rows stands above it."""
+    """What to show of a table. ``sort`` names a column (empty: as printed).
+
+    ``page`` counts from 1; an ``offset`` in rows is taken instead where it is given.
+    """
 
     filter: ProductFilter = field(default_factory=ProductFilter)
     sort: str = ""
