@@ -111,8 +111,8 @@ def permissible_screw_speed(k_c: One, omega_c: RadPerSecond) -> RadPerSecond:
 def buckling_force(k_b: One, E: Pascal, d_r: Metre, l_x: Metre) -> Newton:
     """Axial force at which a slender screw buckles (Euler).
 
-    ``k_b`` factor by mounting (4 fixed-fixed, 2 fixed-supported (2.046 by Euler), 1 supported-supported, 0.25 fixed-free), ``E``
-    modulus of elasticity, ``d_r`` root diameter, ``l_x`` longest part of the screw under compression. Holds for slender
+    ``k_b`` factor by mounting (4 fixed-fixed, 2 fixed-supported, 1 supported-supported, 0.25 fixed-free), ``E`` modulus
+    of elasticity, ``d_r`` root diameter, ``l_x`` longest part of the screw under compression. Holds for slender
     screws; a short one yields before it buckles.
 
     >>> round(buckling_force(1.0, 2.1e11, 0.02, 1.0), 0)  # 9.8696 * 2.1e11 * 7.85398e-9
