@@ -1,0 +1,84 @@
+"""Rendering of the pages: one Jinja environment, texts in the reader's language, contexts as dataclasses."""
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol
+
+from fastapi import Request
+from fastapi.responses import HTMLResponse
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup, escape
+
+from app.services.version import ENGINE_VERSION
+from app.settings import PROJECT_ROOT
+
+Translate = Callable[[str], str]
+
+
+class Translations(Protocol):
+    """Texts of one language: what :mod:`gettext` calls translations."""
+
+    def gettext(self, message: str) -> str:
+        """The text in this language; the English source where there is no translation."""
+
+    def ngettext(self, msgid1: str, msgid2: str, n: int) -> str:
+        """The text for a number of things."""
+
+
+def make_environment() -> Environment:
+    """The environment of all templates: everything escaped, an unknown name is an error, gettext built in."""
+    environment = Environment(
+        loader=FileSystemLoader(PROJECT_ROOT / "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        extensions=["jinja2.ext.i18n", "jinja2.ext.do"],
+    )
+    environment.globals["engine_version"] = ENGINE_VERSION
+    return environment
+
+
+def texts(translations: Translations) -> dict[str, Callable[..., str]]:
+    """Names that a template calls for its texts; ``_("{n} of %(all)s", all=3)`` escapes what is put in."""
+
+    def gettext(message: str, **values: Any) -> str:
+        return _filled(translations.gettext(message) if message else "", values)
+
+    def ngettext(one: str, many: str, n: int, **values: Any) -> str:
+        return _filled(translations.ngettext(one, many, n), {"num": n, **values})
+
+    return {"gettext": gettext, "ngettext": ngettext, "_": gettext}
+
+
+def _filled(text: str, values: Mapping[str, Any]) -> str:
+    return Markup(escape(text)) % values if values else text
+
+
+class Templates:
+    """Renders a template with a context dataclass. One per application, at ``request.app.state.templates``."""
+
+    def __init__(
+        self, language_of: Callable[[Request], tuple[str, Translations]], languages: Mapping[str, str]
+    ) -> None:
+        self._environment = make_environment()
+        self._language_of = language_of
+        self._languages = languages
+
+    def translations(self, request: Request) -> Translations:
+        """The texts of the language that this reader wants."""
+        return self._language_of(request)[1]
+
+    def render(self, request: Request, template: str, context: object) -> str:
+        """HTML of a template; the fields of ``context`` are its variables."""
+        language, translations = self._language_of(request)
+        values = {field.name: getattr(context, field.name) for field in dataclasses.fields(context)}  # type: ignore[arg-type]
+        return self._environment.get_template(template).render(
+            **values, **texts(translations), request=request, language=language, languages=self._languages,
+        )  # fmt: skip
+
+    def page(self, request: Request, template: str, context: object, status_code: int = 200) -> HTMLResponse:
+        """The answer to a request: a whole page or a fragment of one."""
+        return HTMLResponse(
+            self.render(request, template, context), status_code, headers={"Vary": "Cookie, Accept-Language"}
+        )
