@@ -215,9 +215,15 @@ class CycleHull:
         return max(cycle.max_speed for cycle in self.cycles)
 
     @cached_property
+    def extreme_torque(self) -> float:
+        """Torque of largest magnitude at the output shaft, signed [N m]."""
+        extremes = [float(end) for cycle in self.cycles for end in (cycle.held[0].max(), cycle.held[0].min())]
+        return max(extremes, key=abs)
+
+    @property
     def max_torque(self) -> float:
         """Largest unsigned torque at the output shaft [N m]."""
-        return max(float(np.abs(cycle.held[0]).max()) for cycle in self.cycles)
+        return abs(self.extreme_torque)
 
     @cached_property
     def max_acceleration(self) -> float:

@@ -52,3 +52,15 @@ def emergency_torque_by_factor(T_max: NewtonMetre, k_em: One) -> NewtonMetre:
     80.0
     """
     return T_max * k_em
+
+
+@formula(symbol="T_2max", unit="N m", source="derived: largest magnitude over the cycle")
+def peak_output_torque(T_2: NewtonMetre) -> NewtonMetre:
+    """Largest torque at the output of the gear unit, both directions of motion, unsigned.
+
+    ``T_2`` torque at the output in the segment that decides, signed.
+
+    >>> peak_output_torque(-40.0)
+    40.0
+    """
+    return abs(T_2)

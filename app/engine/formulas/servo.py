@@ -211,3 +211,17 @@ def saturated_motor_current(M: NewtonMetre, M_a: NewtonMetre, I_a: Ampere, M_max
     15.0
     """
     return I_a + (M - M_a) * (I_max - I_a) / (M_max - M_a)
+
+
+@formula(symbol="M", unit="N m", source="derived: straight line between two points of a curve")
+def torque_between_points(
+    n: RadPerSecond, n_a: RadPerSecond, M_a: NewtonMetre, n_b: RadPerSecond, M_b: NewtonMetre
+) -> NewtonMetre:
+    """Torque of a limit curve at a speed, between the two points of the data sheet beside it.
+
+    ``n`` speed, ``n_a <= n <= n_b``; ``M_a`` and ``M_b`` torque at the two points, ``n_b > n_a``.
+
+    >>> torque_between_points(150.0, 100.0, 10.0, 200.0, 6.0)
+    8.0
+    """
+    return M_a + (M_b - M_a) * (n - n_a) / (n_b - n_a)
