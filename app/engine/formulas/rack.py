@@ -1,7 +1,7 @@
 """Rack and pinion: pitch circle and travel, straight and helical teeth."""
 
-from app.engine.formula import cos, formula, pi
-from app.engine.units import Metre, MetrePerRad, One, Rad
+from app.engine.formula import cos, formula, pi, tan
+from app.engine.units import Metre, MetrePerRad, Newton, One, Rad
 
 
 @formula(symbol="R", unit="mm", source="derived: z transverse pitches pi*m_n/cos(beta) make the pitch circle")
@@ -27,3 +27,27 @@ def travel_per_revolution(R: MetrePerRad) -> Metre:
     0.235619
     """
     return 2 * pi * R
+
+
+@formula(symbol="F_r", unit="N", source="derived: normal force of a tooth, split along and across the pitch line")
+def pinion_radial_force(F_t: Newton, alpha_n: Rad, beta: Rad) -> Newton:
+    """Force that pushes pinion and rack apart; the shaft of the drive must bear it beside the tangential force.
+
+    ``F_t`` tangential force, ``alpha_n`` normal pressure angle, ``beta`` helix angle.
+
+    >>> round(pinion_radial_force(1000.0, 0.3490658503988659, 0.0), 2)  # 1000 N * tan(20 deg)
+    363.97
+    """
+    return F_t * tan(alpha_n) / cos(beta)
+
+
+@formula(symbol="F_x", unit="N", source="derived: component of the tooth force along the shaft")
+def pinion_axial_force(F_t: Newton, beta: Rad) -> Newton:
+    """Force along the pinion's shaft with helical teeth.
+
+    ``F_t`` tangential force, ``beta`` helix angle.
+
+    >>> round(pinion_axial_force(1000.0, 0.3490658503988659), 2)  # 1000 N * tan(20 deg)
+    363.97
+    """
+    return F_t * tan(beta)

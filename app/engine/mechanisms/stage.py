@@ -1,0 +1,159 @@
+"""A stage between the drive's output shaft and the mechanism's own shaft: chain, belt or open gear wheels.
+
+The load cycle of the mechanism's shaft becomes one at the stage's input shaft, which is the drive's output shaft.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.engine.cycle import LoadCycle
+from app.engine.formulas.conversion import (
+    acceleration_torque,
+    speed_before_ratio,
+    sum_of_torques,
+    torque_before_ratio,
+)
+from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
+from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
+from app.engine.mechanisms.base import Load, Statics
+from app.engine.mechanisms.phases import largest
+from app.engine.sheet import Sheet
+
+CHAIN_EFFICIENCY = 0.9
+CHAIN_SOURCE = "SEW 2001, 17.1: chain or toothed belt on rolling bearings, lower value"
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One stage of constant ratio."""
+
+    ratio: float
+    """i = input / output speed"""
+    efficiency: float
+    input_inertia: float
+    """On the input shaft, before the losses of the stage [kg m2]"""
+
+    def load(self, behind: Load, model: RegenerationModel) -> Load:
+        """What the load behind the stage asks of its input shaft."""
+        opposite = None if behind.opposite is None else self.cycle(behind.opposite, model)
+        return replace(
+            behind,
+            cycle=self.cycle(behind.cycle, model),
+            statics=self.statics(behind.statics, model),
+            opposite=opposite,
+        )
+
+    def cycle(self, behind: LoadCycle, model: RegenerationModel) -> LoadCycle:
+        """Load cycle at the input shaft."""
+        passed = through_stage(behind.torque, behind.mean_speed, self.efficiency, model)
+        own = acceleration_torque(self.input_inertia, speed_before_ratio(behind.acceleration, self.ratio))
+        return replace(
+            behind,
+            speed_start=speed_before_ratio(behind.speed_start, self.ratio),
+            speed_end=speed_before_ratio(behind.speed_end, self.ratio),
+            torque=np.where(behind.braked, 0.0, torque_before_ratio(passed, self.ratio) + own),
+            inertia=float(referred_inertia(behind.inertia, self.ratio) + self.input_inertia),
+        )
+
+    def statics(self, behind: Statics, model: RegenerationModel) -> Statics:
+        """Static torques at the input shaft."""
+
+        def through(torque: float, speed: float) -> float:
+            return float(torque_before_ratio(through_stage(torque, speed, self.efficiency, model), self.ratio))
+
+        return Statics(
+            friction=behind.friction / self.ratio,
+            forward=through(behind.forward, 1.0),
+            backward=through(behind.backward, -1.0),
+            holding=behind.holding / self.ratio,
+            # unsigned, so its direction is not known here: as if it drove, which is the larger value
+            working=through(behind.working, 1.0),
+            rapid_speed=behind.rapid_speed * self.ratio,
+            working_speed=behind.working_speed * self.ratio,
+        )
+
+    def record(self, sheet: Sheet, behind: LoadCycle, model: RegenerationModel) -> None:
+        """Write inertia, highest speed and the largest torque at the input shaft."""
+        with sheet.section("Stage before the mechanism"):
+            inertia = sheet(
+                referred_inertia,
+                key="inertia_before_stage",
+                symbol="J_1",
+                label="Load inertia referred to the input of the stage",
+                J=behind.inertia,
+                i=self.ratio,
+            )
+            if self.input_inertia:
+                sheet(
+                    sum_of_inertias,
+                    key="load_inertia_at_stage_input",
+                    symbol="J_L1",
+                    label="Load inertia at the input of the stage, with its own parts",
+                    J_k=[inertia, self.input_inertia],
+                )
+            sheet(
+                speed_before_ratio,
+                key="stage_input_speed",
+                symbol="n_1",
+                label="Highest speed at the input of the stage",
+                omega=behind.max_speed,
+                i=self.ratio,
+            )
+            self._record_torque(sheet, behind, largest(self.cycle(behind, model).torque), model)
+
+    def _record_torque(self, sheet: Sheet, behind: LoadCycle, k: int, model: RegenerationModel) -> None:
+        passed = record_stage(
+            sheet,
+            float(behind.torque[k]),
+            float(behind.mean_speed[k]),
+            self.efficiency,
+            model,
+            key="torque_with_losses_of_stage",
+            symbol="M_eta2",
+            label=f"Largest torque with the losses of the stage ({behind.label[k]})",
+        )
+        before = sheet(
+            torque_before_ratio,
+            key="stage_input_torque",
+            symbol="M_1",
+            label="Largest torque at the input of the stage",
+            M=passed,
+            i=self.ratio,
+        )
+        alpha = float(speed_before_ratio(behind.acceleration[k], self.ratio))
+        if self.input_inertia and alpha:
+            own = sheet(
+                acceleration_torque,
+                key="stage_input_parts_torque",
+                symbol="M_a1",
+                label="Torque that accelerates what sits on the input shaft",
+                J=self.input_inertia,
+                alpha_s=alpha,
+            )
+            sheet(
+                sum_of_torques,
+                key="stage_input_torque_total",
+                symbol="M_1",
+                label="Largest torque at the input of the stage, with its own parts",
+                M_k=[before, own],
+            )
+
+
+def stage_or_none(sheet: Sheet, ratio: float, efficiency: float | None, input_inertia: float) -> Stage | None:
+    """The stage of a mechanism, or None where there is none: ratio 1, no loss and no inertia.
+
+    A stage whose efficiency is not given takes :data:`CHAIN_EFFICIENCY`, as an assumption.
+    """
+    if ratio == 1 and efficiency is None and input_inertia == 0:
+        return None
+    if efficiency is None:
+        sheet.assume(
+            "mechanism.stage_efficiency",
+            "Efficiency of the stage before the mechanism",
+            value=CHAIN_EFFICIENCY,
+            symbol="eta_2",
+            source=CHAIN_SOURCE,
+        )
+        efficiency = CHAIN_EFFICIENCY
+    return Stage(ratio, efficiency, input_inertia)
