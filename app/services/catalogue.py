@@ -77,6 +77,13 @@ class CatalogueCache:
         self._checked = float("-inf")
         self._snapshot: CatalogueSnapshot | None = None
 
+    @property
+    def known_version(self) -> str:
+        """Version of the catalogue if it was looked at just now, else empty; never waits for the database."""
+        snapshot = self._snapshot
+        recent = self._clock() - self._checked <= RECHECK_SECONDS
+        return snapshot.version if snapshot is not None and recent else ""
+
     def snapshot(self) -> CatalogueSnapshot:
         """The products of the catalogue that is loaded; read again only after another one was loaded."""
         with self._lock:

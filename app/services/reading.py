@@ -32,6 +32,8 @@ def parse_json(data: bytes) -> Any:
     try:
         from_json(data, allow_inf_nan=False)  # UTF-8, lone surrogates, depth
         value = json.loads(data, object_pairs_hook=_object)
+        if b"\\u0000" in data and _has_nul(value):
+            raise ValueError("a text holds a NUL character")
     except (ValueError, RecursionError) as error:
         raise MalformedInput(f"The body is not valid JSON: {_reason(error)}.") from error
     return value
@@ -43,10 +45,16 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         names = [name for name, _ in pairs]
         twice = next(name for name in names if names.count(name) > 1)
         raise ValueError(f"{twice[:60]!r} is given twice in one object")
-    for name, value in pairs:
-        if "\0" in name or (isinstance(value, str) and "\0" in value):
-            raise ValueError("a text holds a NUL character")
     return found
+
+
+def _has_nul(value: Any) -> bool:
+    """Whether any text holds the character that no database stores."""
+    if isinstance(value, str):
+        return "\0" in value
+    if isinstance(value, dict):
+        return any("\0" in name or _has_nul(inner) for name, inner in value.items())
+    return isinstance(value, list) and any(_has_nul(inner) for inner in value)
 
 
 def _reason(error: Exception) -> str:
@@ -168,9 +176,10 @@ def _missing(model: type[BaseModel], path: Path, raw: Any) -> str:
         for name, info in owner.model_fields.items():
             if (info.alias or name) == path[-1]:
                 found = declaration(info)
-                about = (found.about if found else "") or str(path[-1])
+                if found is None or not found.about:
+                    return "is missing"
                 unit = f" in {found.unit}" if isinstance(found, Quantity) and found.unit != "1" else ""
-                return f"is missing: give {about}{unit}"
+                return f"is missing: give {found.about}{unit}"
     return "is missing"
 
 

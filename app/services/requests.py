@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 from pydantic import Field, StringConstraints, ValidationError, ValidationInfo, field_validator, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from app.engine.drives.servo import OwnGearUnit, OwnServoMotor, ServoRules
+from app.engine.drives.own import OwnGearUnit, OwnServoMotor
+from app.engine.drives.rules import ServoRules
 from app.engine.environment import Environment
 from app.engine.mechanisms import mechanisms
 from app.engine.mechanisms.base import Mechanism

@@ -1,0 +1,1 @@
+"""HTTP: JSON routers, HTML pages and what both share. The only place that knows status codes."""

@@ -1,0 +1,370 @@
+"""Shapes of answers, for OpenAPI and generated clients. Numbers are in the unit named beside them, or SI where said."""
+
+from datetime import datetime
+from typing import Annotated, Any, Generic, Literal, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from app.services.documents import ProjectDocument
+from app.services.requests import SelectionRequest
+
+T = TypeVar("T")
+VerdictName = Literal["ok", "tight", "fails", "not_checked"]
+
+
+class Answer(BaseModel):
+    """Base of all answers."""
+
+    model_config = ConfigDict(from_attributes=True, json_schema_serialization_defaults_required=True)
+
+
+class Page(Answer, Generic[T]):
+    """One page of a list."""
+
+    items: list[T]
+    total: int = Field(description="How many there are in all")
+    limit: int
+    offset: int
+
+
+# Mechanisms ----------------------------------------------------------------------------------------------------------
+class MechanismSummary(Answer):
+    """One kind of mechanism."""
+
+    kind: str
+    title: str
+    summary: str
+    drawing: str = Field(description="Address of the drawing that carries the symbols of the fields")
+    motion_kind: Literal["linear", "rotary"]
+
+
+class MechanismDetail(MechanismSummary):
+    """One kind of mechanism with its inputs."""
+
+    input_schema: dict[str, Any] = Field(description="JSON schema of its inputs, with x-unit, x-symbol and x-source")
+    defaults: dict[str, Any] = Field(description="Default of every input that has one, under its border name")
+
+
+# Sizing --------------------------------------------------------------------------------------------------------------
+class StepAnswer(Answer):
+    """One evaluated formula."""
+
+    key: str
+    section: str
+    label: str
+    symbol: str
+    value: float = Field(description="In `unit`")
+    unit: str
+    value_si: float
+    formula: str = Field(description="Name in the formula library")
+    source: str
+    inputs: dict[str, Any] = Field(description="SI values put into the formula, by argument")
+
+
+class CheckAnswer(Answer):
+    """A demand against what is permitted; it holds when demanded <= permitted."""
+
+    key: str
+    name: str
+    section: str
+    verdict: VerdictName
+    utilisation: float | None = Field(description="demanded / permitted; null where not checked or nothing permitted")
+    demanded: float | None = Field(description="In `unit`")
+    permitted: float | None = Field(description="In `unit`")
+    unit: str
+    source: str
+    formula: str
+    missing: str = Field(description="What is not known, when the check could not be made")
+
+
+class AssumptionAnswer(Answer):
+    """A value that was not given: what was taken instead, and from where."""
+
+    key: str = Field(description="Path of the input that would confirm or replace it, or a name of its own")
+    text: str
+    symbol: str
+    value: Any = Field(description="In `unit` for a quantity, the choice itself otherwise")
+    unit: str
+    source: str
+
+
+class DecisionAnswer(Answer):
+    """A branch that was taken, and why."""
+
+    section: str
+    text: str
+    reason: str
+
+
+class HeadlineAnswer(Answer):
+    """A result that is shown before all others."""
+
+    key: str
+    label: str
+    symbol: str
+    value: float
+    unit: str
+    value_si: float
+
+
+class PartAnswer(Answer):
+    """A chosen product."""
+
+    id: str = Field(description='Identifier in the catalogue; "own" for values that were typed')
+    manufacturer: str
+    series: str
+    model: str
+    source: str
+
+
+class PartsAnswer(Answer):
+    """The chosen products; null where none was chosen."""
+
+    motor: PartAnswer | None
+    gear_unit: PartAnswer | None
+    servo_drive: PartAnswer | None
+
+
+class LoadCycleAnswer(Answer):
+    """Load cycle at the output shaft of the drive: one entry per segment."""
+
+    duration_s: list[float]
+    speed_start_rpm: list[float]
+    speed_end_rpm: list[float]
+    torque_nm: list[float]
+    braked: list[bool]
+    label: list[str]
+    inertia_kgm2: float
+
+
+class CatalogueAnswer(Answer):
+    """Which catalogue the parts came from."""
+
+    version: str = Field(description="Changes when another catalogue is loaded; empty where none was needed")
+    editions: dict[str, str] = Field(description="Editions of the chosen parts: key and citation")
+
+
+class SizingAnswer(Answer):
+    """One axis, calculated."""
+
+    engine_version: str
+    catalogue: CatalogueAnswer
+    request: dict[str, Any] = Field(description="The request as it was typed")
+    verdict: VerdictName = Field(description="The worst of all checks")
+    counts: dict[VerdictName, int]
+    deciding_check: str | None = Field(description="Key of the check with the highest utilisation")
+    headlines: list[HeadlineAnswer]
+    parts: PartsAnswer
+    checks: list[CheckAnswer]
+    steps: list[StepAnswer]
+    assumptions: list[AssumptionAnswer]
+    decisions: list[DecisionAnswer]
+    load_cycle: LoadCycleAnswer
+
+
+# Selection -----------------------------------------------------------------------------------------------------------
+class CandidateAnswer(Answer):
+    """One admitted combination of motor and gear unit."""
+
+    rank: int
+    motor: PartAnswer
+    gear_unit: PartAnswer | None = Field(description="null: the motor drives directly")
+    ratio: float
+    utilisation: float | None = Field(description="Highest utilisation of all its checks")
+    deciding_check: str
+    mass_kg: float | None
+    rated_torque_nm: float | None
+    inertia_ratio: float | None
+    utilisations: dict[str, float | None] = Field(description="Utilisation by check; null where it was not checked")
+    not_checked: list[str]
+
+
+class SelectionAnswer(Page[CandidateAnswer]):
+    """The admitted candidates, best first; ``total`` counts the admitted ones."""
+
+    evaluated: int
+    admitted: int
+    rejected: int
+    rejected_by: dict[str, int] = Field(description="How many candidates fail which check worst")
+    ranking: str
+    catalogue: CatalogueAnswer
+    engine_version: str
+
+
+class ExplanationRequest(SelectionRequest):
+    """A selection, and the candidate whose checks are wanted."""
+
+    motor_id: Annotated[str, Field(min_length=1, max_length=200, description="Motor of the candidate")]
+    gear_unit_id: Annotated[str | None, Field(max_length=200, description="Gear unit; null: direct")] = None
+
+
+class ExplanationAnswer(Answer):
+    """Every check of one candidate: why it was admitted or rejected."""
+
+    motor: PartAnswer
+    gear_unit: PartAnswer | None
+    verdict: VerdictName
+    checks: list[CheckAnswer]
+
+
+# Catalogue -----------------------------------------------------------------------------------------------------------
+class KindAnswer(Answer):
+    """One kind of product."""
+
+    kind: str
+    title: str
+    count: int
+
+
+class EditionAnswer(Answer):
+    """One loaded edition with its source."""
+
+    key: str
+    maker: str
+    citation: str
+    date: str | None
+    url: str | None
+    licence: str | None
+    note: str | None
+    checksum: str
+    rows: dict[str, int]
+
+
+class ColumnAnswer(Answer):
+    """One column of a table of products."""
+
+    name: str
+    label: str
+    about: str
+    unit: str | None
+    symbol: str
+
+
+class ProductPage(Page[dict[str, Any]]):
+    """Products as printed: every column by name, null where the source does not say."""
+
+    kind: str
+    title: str
+    columns: list[ColumnAnswer]
+
+
+class ProductAnswer(Answer):
+    """One product as printed; several rows where it has several operating points."""
+
+    kind: str
+    title: str
+    columns: list[ColumnAnswer]
+    rows: list[dict[str, Any]]
+
+
+# Projects ------------------------------------------------------------------------------------------------------------
+class ProjectAnswer(Answer):
+    """A project at one revision."""
+
+    title: str
+    version: int
+    newest_version: int
+    can_edit: bool
+    created_at: datetime
+    saved_at: datetime
+    comment: str | None
+    engine_version: str
+    catalogue_editions: list[dict[str, Any]]
+    view_token: str = Field(description="Opens the project for viewing")
+    document: ProjectDocument
+
+
+class NewProjectAnswer(ProjectAnswer):
+    """A new project. The edit token is told only here; the server keeps no copy of it."""
+
+    edit_token: str
+
+
+class RevisionAnswer(Answer):
+    """One save of a project."""
+
+    number: int
+    saved_at: datetime
+    comment: str | None
+    engine_version: str
+
+
+class DifferenceAnswer(Answer):
+    """A value that differs between two revisions."""
+
+    path: list[str | int]
+    before: Any
+    after: Any
+
+
+class ComparisonAnswer(Answer):
+    """What differs between two revisions."""
+
+    first: int
+    second: int
+    differences: list[DifferenceAnswer]
+
+
+# Examples and formulas -----------------------------------------------------------------------------------------------
+class ExampleSummary(Answer):
+    """One worked example."""
+
+    id: str
+    title: str
+    source: str
+    summary: str
+
+
+class ExampleRowAnswer(Answer):
+    """One number of a worked example: as printed, as expected after recomputation, and as computed here."""
+
+    name: str
+    symbol: str
+    unit: str
+    printed: float | None
+    expected: float
+    computed: float | None
+    deviation: float | None = Field(description="Relative deviation of computed from expected")
+    tolerance: float
+    status: str = Field(description="agrees, rounding, slip or derived: how the printed number stands to the exact one")
+    produced: Literal["ok", "deviates", "missing"]
+    reason: str = Field(description="Why a number is missing")
+    note: str
+
+
+class ExampleAnswer(ExampleSummary):
+    """One worked example, recomputed."""
+
+    requests: dict[str, dict[str, Any]]
+    rows: list[ExampleRowAnswer]
+
+
+class FormulaSummary(Answer):
+    """One formula of the library."""
+
+    name: str
+    topic: str
+    symbol: str
+    unit: str
+    summary: str
+    source: str
+
+
+class FormulaArgument(Answer):
+    """One argument of a formula."""
+
+    name: str
+    symbol: str
+    meaning: str
+    unit: str
+
+
+class FormulaAnswer(FormulaSummary):
+    """One formula with its arguments and its notation."""
+
+    si_unit: str
+    arguments: list[FormulaArgument]
+    mathml: list[str]
+    typst: list[str]
+    notes: list[str]
+    example: str
