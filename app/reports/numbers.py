@@ -71,12 +71,13 @@ def rounded(value: float, digits: int = DIGITS) -> Rounded:
         return Rounded(f"{MINUS if value < 0 else ''}∞")
     if value == 0:
         return Rounded("0")
-    power = int(f"{abs(value):.{digits - 1}e}".partition("e")[2])
+    power = int(f"{abs(value):.16e}".partition("e")[2])
     plain = _PLAIN_FROM <= power < _PLAIN_BELOW
     if plain:
         mantissa = f"{abs(value):.{max(0, digits - 1 - power)}f}"
     else:
-        mantissa = f"{abs(value):.{digits - 1}e}".partition("e")[0]
+        mantissa, _, exponent = f"{abs(value):.{digits - 1}e}".partition("e")
+        power = int(exponent)
     if "." in mantissa:
         mantissa = mantissa.rstrip("0").rstrip(".")
     return Rounded((MINUS if value < 0 else "") + mantissa, None if plain else power)
