@@ -109,7 +109,7 @@ class ScrewShaft(Declared):
     coupling_inertia: Annotated[
         float,
         Quantity(
-            "kg cm2", symbol="J_c", ge=0, le=1e4, default=0.0, source="none given", group=SCREW,
+            "kg cm2", symbol="J_cpl", ge=0, le=1e4, default=0.0, source="none given", group=SCREW,
             about="inertia of coupling or wheel at the end of the screw",
         ),
     ]  # fmt: skip
