@@ -350,8 +350,11 @@ class Declared(BaseModel):
         return cls.model_fields[attribute].alias or attribute
 
     def defaults_taken(self) -> Iterator[tuple[str, Declaration, Any]]:
-        """Yield (attribute, declaration, value) of each declared default that the user has not confirmed."""
+        """Yield (attribute, declaration, value) of each declared default that the user has not confirmed.
+
+        An input that is left empty (None, no text, no entries) takes nothing, so there is nothing to confirm.
+        """
         for name, _, found in self.declarations():
             value = getattr(self, name)
-            if name not in self.model_fields_set and value is not None:
+            if name not in self.model_fields_set and value not in (None, "", ()):
                 yield name, found, value
