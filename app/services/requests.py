@@ -30,6 +30,9 @@ ProductId = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Name = Annotated[str, StringConstraints(max_length=200)]
 
 
+MOTION_WORDS = {"linear": "a linear motion (distances)", "rotary": "a rotary motion (angles or turns)"}
+
+
 class _Part(Declared):
     """A product: out of the catalogue, or typed from its data sheet. Exactly one of the two."""
 
@@ -89,17 +92,16 @@ class SizingRequest(Declared):
     @field_validator("motion")
     @classmethod
     def _fits_the_mechanism(cls, motion: Any, info: ValidationInfo) -> Any:
-        """A linear mechanism needs a linear motion, a rotary one a rotary one."""
+        """A linear mechanism needs a linear motion, a rotary one a rotary one; data of either kind show it when solved."""
         mechanism = info.data.get("mechanism")
-        if mechanism is None or motion.motion_kind == mechanism.motion_kind:
+        if mechanism is None or motion.motion_kind in ("either", mechanism.motion_kind):
             return motion
-        words = {"linear": "a linear motion (distances)", "rotary": "a rotary motion (angles or turns)"}
         problem = PydanticCustomError(
             "motion_kind",
             "describes {given}, but the mechanism ({mechanism}) needs {needed}",
             {
-                "given": words[motion.motion_kind],
-                "needed": words[mechanism.motion_kind],
+                "given": MOTION_WORDS[motion.motion_kind],
+                "needed": MOTION_WORDS[mechanism.motion_kind],
                 "mechanism": mechanism.title,
             },
         )

@@ -16,7 +16,7 @@ from app.engine.sheet import Check, Sheet, Verdict
 from app.services.catalogue import CatalogueCache
 from app.services.errors import FieldError, InvalidInput, NotFound
 from app.services.reading import engine_refusal
-from app.services.requests import SizingRequest, Typed, read_sizing
+from app.services.requests import MOTION_WORDS, SizingRequest, Typed, read_sizing
 from app.services.version import ENGINE_VERSION
 
 _WORST_FIRST = (Verdict.FAILS, Verdict.NOT_CHECKED, Verdict.TIGHT, Verdict.OK)
@@ -163,6 +163,9 @@ def demand_of(request: SizingRequest, sheet: Sheet) -> Demand:
         sheet.assume_defaults(getattr(request, name), f"{name}.")
     with located("motion"), sheet.section("Motion"):
         profile = request.motion.solve(sheet)
+        if profile.kind != request.mechanism.motion_kind:
+            given, needed = MOTION_WORDS[profile.kind], MOTION_WORDS[request.mechanism.motion_kind]
+            raise EngineError(f"describes {given}, but {request.mechanism.title} needs {needed}", field="kind")
     with located("mechanism"), sheet.section(request.mechanism.title):
         load = request.mechanism.load(profile, request.environment, sheet)
     return Demand(profile, load)
