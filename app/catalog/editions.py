@@ -73,7 +73,15 @@ def find_editions(directory: Path, report: LoadReport) -> list[EditionFolder]:
         if path.is_file() and not any(part.startswith(".") for part in path.relative_to(directory).parts)
     ]
     folders = sorted({path.parent for path in data_files})
-    editions = [found for folder in folders if (found := _read_folder(folder, directory, report)) is not None]
+    editions = []
+    for folder in folders:
+        try:
+            found = _read_folder(folder, directory, report)
+        except OSError as error:
+            report.error(str(folder), f"cannot be read: {error.strerror}")
+            continue
+        if found is not None:
+            editions.append(found)
     if not editions and report.ok:
         report.error(str(directory), f"holds no catalogue: no folder with {SOURCE_FILE}")
     seen: dict[str, str] = {}

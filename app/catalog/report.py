@@ -66,10 +66,10 @@ class LoadReport:
         self.lines.append(ReportLine("warning", file, line, column, text))
 
     def render(self, *, with_warnings: bool = True) -> str:
-        """The report as text: findings first, then the rows by table, then what was done."""
+        """The report as text: findings first, then the rows read by table, then what was done."""
         shown = self.lines if with_warnings else self.errors
         text = [line.render() for line in shown]
-        text += [f"{table}: {count} rows" for table, count in self.rows.items()]
+        text += [f"{table}: {count} rows" for table, count in sorted(self.rows.items())]
         if self.ok:
             text.append(
                 f"{len(self.loaded)} editions loaded ({sum(self.written.values())} rows), "
