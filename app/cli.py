@@ -49,9 +49,11 @@ def load_catalog(
 ) -> None:
     """Read a folder of catalogue editions into the database; exit code 1 when a file is refused (nothing is loaded)."""
     from app.catalog import load
+    from app.db.migrate import upgrade
     from app.db.session import make_engine
 
     settings = _settings()
+    upgrade(settings.database_url)
     engine = make_engine(settings.database_url)
     try:
         report = load.load_catalog(engine, directory or settings.catalog_dir)
