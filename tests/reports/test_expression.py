@@ -85,10 +85,18 @@ PYTHON: dict[str, Any] = {
 }  # fmt: skip
 
 
+class Exact(ast.NodeTransformer):
+    """Turns each number of a source into a fraction."""
+
+    def visit_Constant(self, node: ast.Constant) -> ast.expr:
+        return ast.Call(ast.Name("Fraction", ast.Load()), [node], [])
+
+
 def exactly(source: str) -> Any:
     """Value of the source by Python itself, in fractions; None where it divides by zero."""
+    exact = ast.fix_missing_locations(Exact().visit(ast.parse(source, mode="eval")))
     try:
-        return eval(source, {**PYTHON, **as_fractions()})
+        return eval(compile(exact, "source", "eval"), {**PYTHON, **as_fractions(), "Fraction": Fraction})
     except ZeroDivisionError:
         return None
 
