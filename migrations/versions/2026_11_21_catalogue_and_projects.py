@@ -567,7 +567,7 @@ def upgrade() -> None:
             "voltage_constant_vs_rad",
             sa.Float(precision=53),
             nullable=True,
-            comment="Phase-to-phase rms voltage per speed [V s/rad]",
+            comment="Voltage by speed, as the source defines it [V s/rad]",
         ),
         sa.Column("winding_resistance_ohm", sa.Float(precision=53), nullable=True, comment="Winding resistance [ohm]"),
         sa.Column("winding_inductance_mh", sa.Float(precision=53), nullable=True, comment="Winding inductance [mH]"),

@@ -1,12 +1,16 @@
 """The declaration of the tables, held to itself and to the engine's records."""
 
 import dataclasses
+import doctest
+from types import ModuleType
 
 import pytest
 
+from app.catalog import names
 from app.catalog.checks import RULES, Order
 from app.catalog.records import FIELDS
 from app.catalog.schema import TABLES, UNIT_KINDS, ColumnSpec
+from app.db import columns
 from app.db.columns import column_suffix
 from app.engine.quantity import si_factor
 
@@ -48,3 +52,10 @@ def test_every_field_of_an_engine_record_has_its_column():
     for record, (table, fields) in FIELDS.items():
         assert set(fields) == {field.name for field in dataclasses.fields(record)} - shared
         assert set(fields.values()) <= set(TABLES[table].columns)
+
+
+@pytest.mark.parametrize("module", [names, columns])
+def test_examples_in_the_documentation_hold(module: ModuleType):
+    result = doctest.testmod(module)
+    assert result.attempted > 0
+    assert result.failed == 0

@@ -62,7 +62,12 @@ class ServoMotor(ProductColumns, Base):
         "N m/A", "Torque constant", symbol="k_T", about="Torque per ampere rms", low=1e-4, high=1000
     )
     voltage_constant_vs_rad: Mapped[float | None] = number(
-        "V s/rad", "Voltage constant", symbol="k_E", about="Phase-to-phase rms voltage per speed", low=1e-4, high=1000
+        "V s/rad",
+        "Voltage constant",
+        symbol="k_E",
+        about="Voltage by speed, as the source defines it",
+        low=1e-4,
+        high=1000,
     )
     winding_resistance_ohm: Mapped[float | None] = number("ohm", "Winding resistance", symbol="R", low=1e-5, high=1e5)
     winding_inductance_mh: Mapped[float | None] = number("mH", "Winding inductance", symbol="L", low=1e-4, high=1e5)
