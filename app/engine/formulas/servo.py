@@ -26,6 +26,18 @@ def motor_torque(M_L: NewtonMetre, J_M: KilogramMetre2, J_x: KilogramMetre2, alp
     return M_L + (J_M + J_x) * alpha_M
 
 
+@formula(symbol="alpha_M", unit="rad/s2", source="derived: the ratio holds for speeds and their changes")
+def motor_acceleration(alpha_L: RadPerSecond2, i: One) -> RadPerSecond2:
+    """Angular acceleration of the motor shaft.
+
+    ``alpha_L`` angular acceleration of the output shaft, ``i`` ratio of motor to output speed.
+
+    >>> motor_acceleration(50.0, 10.0)
+    500.0
+    """
+    return alpha_L * i
+
+
 @formula(symbol="M_peak", unit="N m", source="derived: Newton's second law on the motor shaft, largest magnitude")
 def peak_torque(M_L: NewtonMetre, J_M: KilogramMetre2, J_x: KilogramMetre2, alpha_M: RadPerSecond2) -> NewtonMetre:
     """Largest torque that the motor must give, unsigned, in the segment that decides.
