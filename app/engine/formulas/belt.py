@@ -1,6 +1,6 @@
 """Timing belts and belt conveyors: pulleys, belt mass, forces in the strands."""
 
-from app.engine.formula import formula, maximum, pi
+from app.engine.formula import exp, formula, maximum, pi
 from app.engine.units import (
     Kilogram,
     KilogramMetre2,
@@ -10,6 +10,7 @@ from app.engine.units import (
     MetrePerRad,
     Newton,
     One,
+    Rad,
 )
 
 
@@ -74,3 +75,15 @@ def largest_strand_force(F_V: Newton, F_C: Newton, F_Z: Newton) -> Newton:
     680.0
     """
     return F_V + maximum(abs(F_C), abs(F_Z))
+
+
+@formula(symbol="F_slip", unit="N", source="derived: rope friction of Euler and Eytelwein")
+def drum_grip(F_2: Newton, mu_d: One, phi: Rad) -> Newton:
+    """Largest peripheral force that a drum passes to a flat belt before it slips.
+
+    ``F_2`` tension of the slack strand, ``mu_d`` friction coefficient between belt and drum, ``phi`` wrap angle.
+
+    >>> round(drum_grip(1000.0, 0.3, 3.141592653589793), 1)  # 1000 N * (e^0.942 - 1)
+    1566.4
+    """
+    return F_2 * (exp(mu_d * phi) - 1)

@@ -20,6 +20,8 @@ from app.engine.mechanisms.base import Load, Statics
 from app.engine.mechanisms.phases import largest
 from app.engine.sheet import Sheet
 
+STAGE = "Stage before the mechanism"
+"""Heading of the inputs of such a stage"""
 CHAIN_EFFICIENCY = 0.9
 CHAIN_SOURCE = "SEW 2001, 17.1: chain or toothed belt on rolling bearings, lower value"
 
@@ -75,7 +77,7 @@ class Stage:
 
     def record(self, sheet: Sheet, behind: LoadCycle, model: RegenerationModel) -> None:
         """Write inertia, highest speed and the largest torque at the input shaft."""
-        with sheet.section("Stage before the mechanism"):
+        with sheet.section(STAGE):
             inertia = sheet(
                 referred_inertia,
                 key="inertia_before_stage",
@@ -141,12 +143,12 @@ class Stage:
 
 
 def stage_or_none(sheet: Sheet, ratio: float, efficiency: float | None, input_inertia: float) -> Stage | None:
-    """The stage of a mechanism, or None where there is none: ratio 1, no loss and no inertia.
+    """The stage of a mechanism, or None where there is none: ratio 1, no efficiency given and no inertia.
 
-    A stage whose efficiency is not given takes :data:`CHAIN_EFFICIENCY`, as an assumption.
+    A stage with a ratio whose efficiency is not given takes :data:`CHAIN_EFFICIENCY`, as an assumption.
     """
-    if ratio == 1 and efficiency is None and input_inertia == 0:
-        return None
+    if ratio == 1 and efficiency is None:
+        return Stage(1.0, 1.0, input_inertia) if input_inertia else None
     if efficiency is None:
         sheet.assume(
             "mechanism.stage_efficiency",
