@@ -162,7 +162,7 @@ def _speeds_of_positions(position: FloatArray, steps: FloatArray) -> tuple[Float
     before, after = np.full_like(inner, np.nan), np.full_like(inner, np.nan)
     before[1:] = mean[1:-1] + change[:-1] * steps[1:-1] / 2
     after[:-1] = mean[1:-1] - change[1:] * steps[1:-1] / 2
-    # The outermost inner rows lack one estimate: of the other two, the one nearer to the outer interval's mean is taken.
+    # The outermost inner rows lack one estimate: of the other two, the one nearer to the outer mean speed is taken.
     before[0] = mean[0] if len(inner) > 1 else inner[0]
     after[-1] = mean[-1] if len(inner) > 1 else inner[-1]
     speed = np.median([before, inner, after], axis=0)

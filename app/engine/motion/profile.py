@@ -40,8 +40,8 @@ class MotionProfile:
     payload: FloatArray
     """Mass [kg] (linear) or inertia [kg m2] (rotary) carried in this segment beside the mechanism's own."""
     process_force: FloatArray
-    """Force [N] (linear) or torque [N m] (rotary) that resists the motion; negative where it helps. At standstill it acts
-    against the direction of the move before."""
+    """Force [N] (linear) or torque [N m] (rotary) that resists the motion; negative where it helps. At standstill it
+    acts against the direction of the move before."""
     direction: FloatArray
     """+1 or -1: direction of the motion; at standstill that of the move before."""
     braked: BoolArray

@@ -2,8 +2,8 @@
 
 A phase of constant acceleration is one segment. A jerk phase is cut into steps whose acceleration is constant: each
 step but the last has the acceleration in its middle, the last half step has the peak itself, and the small excess of
-that half step is taken evenly from the others. So the end speed, the distance and the peak acceleration are exact, and the
-effective acceleration is within 0.03 % of the exact one.
+that half step is taken evenly from the others. So the end speed, the distance and the peak acceleration are exact,
+and the effective acceleration is within 0.03 % of the exact one.
 """
 
 from dataclasses import dataclass, field

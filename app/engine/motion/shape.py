@@ -13,7 +13,7 @@ from app.engine.formulas import motion as formulas
 
 @dataclass(frozen=True)
 class Ramp:
-    """One change of speed between standstill and the peak speed; the acceleration rises, stays and falls symmetrically."""
+    """One change of speed between standstill and the peak speed; its acceleration is symmetric in time."""
 
     time: float
     acceleration: float

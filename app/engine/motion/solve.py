@@ -85,9 +85,13 @@ class Notes:
         unit = unit if self.kind == "linear" else SHOWN.get(unit, unit)
         return f"{from_si(value, unit):.6g} {unit}"
 
+    def refusal(self, field: str, message: str) -> MotionError:
+        """The error of a field of the move."""
+        return MotionError(message, field=((self.fields or {}).get(field, field),))
+
     def refuse(self, field: str, message: str) -> NoReturn:
-        """Raise MotionError at a field of the move."""
-        raise MotionError(message, field=((self.fields or {}).get(field, field),))
+        """Raise the error of a field of the move."""
+        raise self.refusal(field, message)
 
 
 def solve_move(given: Given, notes: Notes) -> MoveShape:
@@ -121,7 +125,7 @@ class _Solver:
                 return self._shape(*self._distance(t, v, a), a, self._deceleration(a))
             case (float() as s, None, None, float() as a) if g.optimise == "least_time":
                 return self._shape(s, self._triangle(s, a, self._deceleration(a)), a, self._deceleration(a))
-        self._refuse_underdetermined()
+        raise self._underdetermined()
 
     # What is given, and whether it suffices
 
@@ -148,7 +152,7 @@ class _Solver:
         names = [name for name, value in values.items() if value is not None]
         return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else "".join(names) or "none of them"
 
-    def _refuse_underdetermined(self) -> NoReturn:
+    def _underdetermined(self) -> MotionError:
         g = self.given
         options = {
             (True, True, False, False): ("optimise", "a speed or an acceleration, or choose what shall be least: "
@@ -163,7 +167,7 @@ class _Solver:
         default = ("distance" if g.distance is None else "time", "three of distance, time, speed and acceleration")
         field, needed = options.get(known, default)
         verb = "alone does not" if sum(known) == 1 else "do not"
-        self.notes.refuse(field, f"{self._named()} {verb} determine the move: give {needed}")
+        return self.notes.refusal(field, f"{self._named()} {verb} determine the move: give {needed}")
 
     def _deceleration(self, acceleration: float) -> float:
         g = self.given
@@ -338,12 +342,12 @@ class _Solver:
     def _compare(self, shape: MoveShape, time: float | None) -> None:
         if time is None:
             return
-        notes, right = self.notes, shape.motion_time
+        g, notes, right = self.given, self.notes, shape.motion_time
         if abs(right - time) > AGREEMENT * right:
-            notes.refuse("time", f"{notes.shown(shape.distance, 'm')} with "
-                         f"{notes.shown(self.given.speed or 0.0, 'm/s')} and {notes.shown(self.given.acceleration or 0.0, 'm/s2')} takes "
-                         f"{notes.shown(right + self.given.settling, 's')}, "
-                         f"not {notes.shown(time + self.given.settling, 's')}")  # fmt: skip
+            move = [notes.shown(shape.distance, "m"), notes.shown(g.speed or 0.0, "m/s")]
+            move.append(notes.shown(g.acceleration or 0.0, "m/s2"))
+            needed, wanted = notes.shown(right + g.settling, "s"), notes.shown(time + g.settling, "s")
+            notes.refuse("time", f"{move[0]} with {move[1]} and {move[2]} takes {needed}, not {wanted}")
         notes.decide(
             "Distance, time, speed and acceleration are all given and agree",
             f"distance, speed and acceleration are taken; they give {notes.shown(right, 's')}",
