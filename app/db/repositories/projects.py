@@ -43,8 +43,9 @@ class ProjectRepository:
         self._session = session
 
     def begin_writing(self) -> None:
-        """Take the lock of a writer; call it before anything is read."""
-        take_write_lock(self._session)
+        """Take the lock of a writer; call it before anything is read. Within a transaction it is too late for that."""
+        if not self._session.in_transaction():
+            take_write_lock(self._session)
 
     def find(self, token_hash: str) -> tuple[Project, Access] | None:
         """The project that a token opens and what it may do; None for an unknown token or a deleted project."""
