@@ -29,7 +29,7 @@ def screw_constant(h: Metre) -> MetrePerRad:
     return h / (2 * pi)
 
 
-@formula(symbol="phi", unit="deg", source="derived: one turn of the helix unrolled")
+@formula(symbol="phi_h", unit="deg", source="derived: one turn of the helix unrolled")
 def lead_angle(h: Metre, D: Metre) -> Rad:
     """Lead angle of a thread.
 
@@ -42,16 +42,16 @@ def lead_angle(h: Metre, D: Metre) -> Rad:
 
 
 @formula(symbol="eta", unit="1", source="derived: forces on an inclined plane with friction")
-def thread_efficiency(phi: Rad, mu_th: One) -> One:
+def thread_efficiency(phi_h: Rad, mu_th: One) -> One:
     """Efficiency of a screw that drives its nut, from lead angle and thread friction.
 
-    ``phi`` lead angle, ``mu_th`` friction coefficient in the thread (for a trapezoidal thread of 30 degrees the
-    coefficient of the material pair divided by cos 15 degrees). A screw with tan(phi) <= mu_th is self-locking.
+    ``phi_h`` lead angle, ``mu_th`` friction coefficient in the thread (for a trapezoidal thread of 30 degrees the
+    coefficient of the material pair divided by cos 15 degrees). A screw with tan(phi_h) <= mu_th is self-locking.
 
     >>> round(thread_efficiency(0.1, 0.1), 4)  # tan(0.1) / tan(0.1 + 0.09967) = 0.100335 / 0.202363
     0.4958
     """
-    return tan(phi) / tan(phi + arctan(mu_th))
+    return tan(phi_h) / tan(phi_h + arctan(mu_th))
 
 
 @formula(symbol="M_Ts", unit="N m", source="Lachman, Mendricky 2015, part 3: M_Ts [N m] about D [cm]")

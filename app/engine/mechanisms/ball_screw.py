@@ -207,7 +207,7 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
         eta = self.efficiency
         if self.thread_friction is not None:
             phi = sheet(lead_angle, h=self.lead, D=self.nominal_diameter)
-            eta = sheet(thread_efficiency, key="efficiency", phi=phi, mu_th=self.thread_friction)
+            eta = sheet(thread_efficiency, key="efficiency", phi_h=phi, mu_th=self.thread_friction)
         if self.efficiency_covers == "load_side":
             sheet.decide("The efficiency acts on the whole load side", "chosen: inertia of the screw included")
         return _Screw(
