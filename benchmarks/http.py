@@ -71,7 +71,9 @@ class Client:
         for connection, body in zip(itertools.cycle(self._sockets), bodies, strict=False):
             if len(waiting) == len(self._sockets):
                 answer = _read(waiting.pop(0))
-            head = f"POST {PATH} HTTP/1.1\r\nhost: bench\r\ncontent-type: application/json\r\ncontent-length: {len(body)}"
+            head = (
+                f"POST {PATH} HTTP/1.1\r\nhost: bench\r\ncontent-type: application/json\r\ncontent-length: {len(body)}"
+            )
             connection.sendall(f"{head}\r\n\r\n".encode() + body)
             waiting.append(connection)
         for connection in waiting:

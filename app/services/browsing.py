@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.catalog.browse import BrowseError, BrowsePage, BrowseQuery
 from app.catalog.repository import CatalogRepository, EditionSummary, ProductNotFoundError
 from app.catalog.schema import TABLES, ColumnSpec
-from app.services.errors import FieldError, InvalidInput, NotFound
+from app.services.errors import FieldError, InvalidInputError, NotFoundError
 
 T = TypeVar("T")
 
@@ -45,14 +45,14 @@ class BrowsingService:
         return [TableSummary(spec.name, spec.title, counts[spec.name]) for spec in TABLES.values()]
 
     def page(self, kind: str, query: BrowseQuery) -> BrowsePage:
-        """A page of one kind. Raises NotFound for an unknown kind and InvalidInput for an unknown column."""
+        """A page of one kind. Raises NotFoundError for an unknown kind and InvalidInputError for an unknown column."""
         try:
             return self._found(lambda: self._catalogue.browse(kind, query), f"There is no kind of product {kind!r}.")
         except BrowseError as error:
-            raise InvalidInput([FieldError((error.field,), str(error))]) from error
+            raise InvalidInputError([FieldError((error.field,), str(error))]) from error
 
     def product(self, kind: str, product_id: str) -> ProductSheet:
-        """One product. Raises NotFound."""
+        """One product. Raises NotFoundError."""
         missing = "The catalogue that is loaded holds no such product."
         rows = self._found(lambda: self._catalogue.row(kind, product_id), missing)
         return ProductSheet(kind, TABLES[kind].title, self._catalogue.columns(kind), rows)
@@ -62,11 +62,11 @@ class BrowsingService:
         return self._catalogue.editions()
 
     def makers(self, kind: str | None = None) -> list[str]:
-        """Makers with products of a kind, or of any. Raises NotFound for an unknown kind."""
+        """Makers with products of a kind, or of any. Raises NotFoundError for an unknown kind."""
         return self._found(lambda: self._catalogue.makers(kind), "There is no such kind of product.")
 
     def series(self, kind: str, manufacturer: str | None = None) -> list[str]:
-        """Series of a kind. Raises NotFound for an unknown kind."""
+        """Series of a kind. Raises NotFoundError for an unknown kind."""
         return self._found(lambda: self._catalogue.series(kind, manufacturer), "There is no such kind of product.")
 
     @staticmethod
@@ -74,4 +74,4 @@ class BrowsingService:
         try:
             return read()
         except ProductNotFoundError as error:
-            raise NotFound(missing) from error
+            raise NotFoundError(missing) from error

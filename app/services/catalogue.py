@@ -16,7 +16,7 @@ from sqlalchemy.orm import Session
 from app.catalog.repository import CatalogRepository
 from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
 from app.engine.selection import GearArrays, MotorArrays
-from app.services.errors import NotFound
+from app.services.errors import NotFoundError
 
 RECHECK_SECONDS = 2.0
 """A catalogue loaded by another process is noticed within this time."""
@@ -55,10 +55,10 @@ class CatalogueSnapshot:
         return GearArrays.from_records(self.gear_units)
 
     def product(self, role: str, product_id: str) -> Product:
-        """One product by role (``motor``, ``gear_unit``, ``servo_drive``) and id. Raises NotFound."""
+        """One product by role (``motor``, ``gear_unit``, ``servo_drive``) and id. Raises NotFoundError."""
         found = self._by_id[role].get(product_id)
         if found is None:
-            raise NotFound(f"names no {_WORDS[role]} of the catalogue that is loaded")
+            raise NotFoundError(f"names no {_WORDS[role]} of the catalogue that is loaded")
         return found
 
     def editions_of(self, product_ids: Sequence[str]) -> dict[str, str]:

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
-from app.services.errors import FieldError, InvalidInput
+from app.services.errors import FieldError, InvalidInputError
 from app.services.reading import read
 from app.services.requests import read_sizing
 
@@ -44,7 +44,7 @@ class ProjectDocument(BaseModel):
 def read_document(raw: Any) -> dict[str, Any]:
     """Check a document and every request in it; returns it in the newest version, requests untouched.
 
-    Raises InvalidInput with the path of every refused value.
+    Raises InvalidInputError with the path of every refused value.
     """
     document = read(ProjectDocument, _lifted(raw))
     errors: list[FieldError] = []
@@ -55,10 +55,10 @@ def read_document(raw: Any) -> dict[str, Any]:
         names.add(axis.name)
         try:
             read_sizing(axis.request)
-        except InvalidInput as refused:
+        except InvalidInputError as refused:
             errors.extend(refused.within("axes", index, "request").errors)
     if errors:
-        raise InvalidInput(errors)
+        raise InvalidInputError(errors)
     return document.model_dump(mode="python")
 
 
@@ -68,11 +68,11 @@ def _lifted(raw: Any) -> Any:
         return raw
     found = raw.get("format", FORMAT)
     if found != FORMAT:
-        raise InvalidInput([FieldError(("format",), f"must be {FORMAT!r}: this is no project file", found)])
+        raise InvalidInputError([FieldError(("format",), f"must be {FORMAT!r}: this is no project file", found)])
     version = raw.get("version", VERSION)
     if isinstance(version, int) and version > VERSION:
         text = f"is newer than this program, which reads documents up to version {VERSION}"
-        raise InvalidInput([FieldError(("version",), text, version)])
+        raise InvalidInputError([FieldError(("version",), text, version)])
     return raw
 
 

@@ -3,12 +3,12 @@
 ::
 
     ServiceError
-    +-- InvalidInput       something given cannot be used: one FieldError for each place
-    +-- MalformedInput     what was given is no JSON at all
-    +-- NotFound           a link, product, revision, example ... that does not exist
-    +-- Forbidden          a link that may look but not change
-    +-- Conflict           someone else saved in the meantime
-    +-- CatalogueEmpty     there are no products to choose from
+    +-- InvalidInputError       something given cannot be used: one FieldError for each place
+    +-- MalformedInputError     what was given is no JSON at all
+    +-- NotFoundError           a link, product, revision, example ... that does not exist
+    +-- ForbiddenError          a link that may look but not change
+    +-- ConflictError           someone else saved in the meantime
+    +-- CatalogueEmptyError     there are no products to choose from
 """
 
 from collections.abc import Iterable
@@ -47,7 +47,7 @@ class ServiceError(Exception):
         self.message = message
 
 
-class InvalidInput(ServiceError):
+class InvalidInputError(ServiceError):
     """Values that cannot be used, each with its place."""
 
     def __init__(self, errors: Iterable[FieldError]) -> None:
@@ -55,24 +55,24 @@ class InvalidInput(ServiceError):
         count = len(self.errors)
         super().__init__("One value cannot be used." if count == 1 else f"{count} values cannot be used.")
 
-    def within(self, *outer: str | int) -> "InvalidInput":
+    def within(self, *outer: str | int) -> "InvalidInputError":
         """The same errors with their paths lengthened by the names of what contains the input."""
-        return InvalidInput(FieldError((*outer, *e.path), e.message, e.value) for e in self.errors)
+        return InvalidInputError(FieldError((*outer, *e.path), e.message, e.value) for e in self.errors)
 
 
-class MalformedInput(ServiceError):
+class MalformedInputError(ServiceError):
     """What was given cannot be read as JSON."""
 
 
-class NotFound(ServiceError):
+class NotFoundError(ServiceError):
     """Something asked for does not exist."""
 
 
-class Forbidden(ServiceError):
+class ForbiddenError(ServiceError):
     """The link given may look but not change."""
 
 
-class Conflict(ServiceError):
+class ConflictError(ServiceError):
     """The version given is not the newest one; ``current`` is."""
 
     def __init__(self, message: str, current: int) -> None:
@@ -80,5 +80,5 @@ class Conflict(ServiceError):
         self.current = current
 
 
-class CatalogueEmpty(ServiceError):
+class CatalogueEmptyError(ServiceError):
     """There are no products of the wanted kind in the database."""

@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from app.engine.quantity import from_si
-from app.services.errors import InvalidInput, NotFound
+from app.services.errors import InvalidInputError, NotFoundError
 from app.services.reading import read
 from app.services.sizing import Sizing, SizingService
 
@@ -152,21 +152,21 @@ class ExampleService:
         return list(self._files.values())
 
     def file(self, example_id: str) -> ExampleFile:
-        """One example, not run. Raises NotFound."""
+        """One example, not run. Raises NotFoundError."""
         found = self._files.get(example_id)
         if found is None:
-            raise NotFound(f"There is no worked example {example_id!r}.")
+            raise NotFoundError(f"There is no worked example {example_id!r}.")
         return found
 
     def run(self, example_id: str) -> Example:
-        """One example, recomputed. Raises NotFound."""
+        """One example, recomputed. Raises NotFoundError."""
         file = self.file(example_id)
         sizings: dict[str, Sizing] = {}
         refused: dict[str, str] = {}
         for name, request in file.requests.items():
             try:
                 sizings[name] = self._sizing.size(request)
-            except InvalidInput as error:
+            except InvalidInputError as error:
                 refused[name] = "; ".join(f"{e.name} {e.message}" for e in error.errors)
         rows = tuple(_row(row, sizings, refused) for row in file.rows)
         return Example(file, rows, sizings)

@@ -9,7 +9,7 @@ from pydantic_core import PydanticUndefined
 from app.engine.mechanisms import mechanisms
 from app.engine.mechanisms.base import Mechanism
 from app.engine.quantity import Declared, Quantity
-from app.services.errors import NotFound
+from app.services.errors import NotFoundError
 
 
 @dataclass(frozen=True)
@@ -35,11 +35,11 @@ def mechanism_kinds() -> list[MechanismKind]:
 
 
 def mechanism_kind(kind: str) -> MechanismKind:
-    """One kind. Raises NotFound."""
+    """One kind. Raises NotFoundError."""
     for found in mechanism_kinds():
         if found.kind == kind:
             return found
-    raise NotFound(f"There is no mechanism {kind!r}.")
+    raise NotFoundError(f"There is no mechanism {kind!r}.")
 
 
 @cache

@@ -11,7 +11,7 @@ from typing import Any
 from app.db.models import Project, ProjectRevision
 from app.db.repositories.projects import NewRevision, ProjectRepository, RevisionLine
 from app.services.documents import Difference, differences, read_document
-from app.services.errors import Conflict, FieldError, Forbidden, InvalidInput, NotFound
+from app.services.errors import ConflictError, FieldError, ForbiddenError, InvalidInputError, NotFoundError
 from app.services.version import ENGINE_VERSION
 
 MAX_COMMENT = 500
@@ -77,7 +77,7 @@ class ProjectService:
         self._now = now
 
     def create(self, raw: Any, comment: str | None = None) -> OpenedProject:
-        """Save a new project; also the way to import an exported one. Raises InvalidInput."""
+        """Save a new project; also the way to import an exported one. Raises InvalidInputError."""
         document = read_document(raw)
         self._projects.begin_writing()
         edit = new_edit_token()
@@ -87,14 +87,14 @@ class ProjectService:
         return OpenedProject(self._state(project, self._stored(project, 1), edit), edit, view)
 
     def open(self, token: str, number: int | None = None) -> ProjectState:
-        """The project behind a link, at its newest or at an older revision. Raises NotFound."""
+        """The project behind a link, at its newest or at an older revision. Raises NotFoundError."""
         project, _ = self._find(token)
         return self._state(project, self._stored(project, number or project.version), token)
 
     def save(self, token: str, raw: Any, version: int, comment: str | None = None) -> ProjectState:
         """Save the next revision; ``version`` is the one that was edited.
 
-        Raises InvalidInput, NotFound, Forbidden (a link to view) and Conflict (someone else saved since).
+        Raises InvalidInputError, NotFoundError, ForbiddenError (a link to view) and ConflictError (saved since).
         """
         document = read_document(raw)
         self._projects.begin_writing()
@@ -120,7 +120,7 @@ class ProjectService:
         return OpenedProject(self._state(made, self._stored(made, 1), edit), edit, view)
 
     def delete(self, token: str, version: int) -> None:
-        """Close a project; no link opens it any more. Raises NotFound, Forbidden and Conflict."""
+        """Close a project; no link opens it any more. Raises NotFoundError, ForbiddenError and ConflictError."""
         self._projects.begin_writing()
         project = self._editable(token)
         if project.version != version:
@@ -145,19 +145,19 @@ class ProjectService:
     def _find(self, token: str) -> tuple[Project, bool]:
         found = self._projects.find(token_hash(token))
         if found is None:
-            raise NotFound("No project opens with this link. It may have been deleted, or the link is incomplete.")
+            raise NotFoundError("No project opens with this link. It may have been deleted, or the link is incomplete.")
         return found[0], found[1] == "edit"
 
     def _editable(self, token: str) -> Project:
         project, can_edit = self._find(token)
         if not can_edit:
-            raise Forbidden("This link shows the project but does not change it. Duplicate it to go on from here.")
+            raise ForbiddenError("This link shows the project but does not change it. Duplicate it to go on from here.")
         return project
 
     def _stored(self, project: Project, number: int) -> ProjectRevision:
         found = self._projects.revision(project, number)
         if found is None:
-            raise NotFound(f"The project has no revision {number}; the newest one is {project.version}.")
+            raise NotFoundError(f"The project has no revision {number}; the newest one is {project.version}.")
         return found
 
     def _save(self, project: Project, token: str, document: Any, version: int, comment: str | None) -> ProjectState:
@@ -168,7 +168,7 @@ class ProjectService:
     def _revision(self, document: dict[str, Any], comment: str | None) -> NewRevision:
         if comment is not None and len(comment) > MAX_COMMENT:
             text = f"must have at most {MAX_COMMENT} characters"
-            raise InvalidInput([FieldError(("comment",), text, comment)])
+            raise InvalidInputError([FieldError(("comment",), text, comment)])
         return NewRevision(
             document=document,
             title=document["title"],
@@ -196,8 +196,8 @@ class ProjectService:
         )
 
 
-def _conflict(project: Project) -> Conflict:
-    return Conflict(
+def _conflict(project: Project) -> ConflictError:
+    return ConflictError(
         f"Someone else saved the project in the meantime: version {project.version} is the newest. "
         "Open it, compare, and save again.",
         current=project.version,

@@ -1,4 +1,4 @@
-"""What comes over the border becomes a declared model, or an InvalidInput in the reader's words.
+"""What comes over the border becomes a declared model, or an InvalidInputError in the reader's words.
 
 Every face (REST, pages, command line, examples) reads its input here, so the same mistake gets the same answer.
 """
@@ -14,7 +14,7 @@ from pydantic_core import ErrorDetails, from_json
 
 from app.engine.errors import EngineError
 from app.engine.quantity import Declared, Quantity, declaration
-from app.services.errors import FieldError, InvalidInput, MalformedInput, Path
+from app.services.errors import FieldError, InvalidInputError, MalformedInputError, Path
 
 M = TypeVar("M", bound=BaseModel)
 
@@ -27,7 +27,7 @@ _TAGS = ("kind", "shape")
 def parse_json(data: bytes) -> Any:
     """Read JSON strictly: UTF-8, no NaN, no name twice in one object, no NUL, no endless nesting.
 
-    A number too large for a float becomes infinite and is refused later, at its field. Raises MalformedInput.
+    A number too large for a float becomes infinite and is refused later, at its field. Raises MalformedInputError.
     """
     try:
         from_json(data, allow_inf_nan=False)  # UTF-8, lone surrogates, depth
@@ -35,7 +35,7 @@ def parse_json(data: bytes) -> Any:
         if b"\\u0000" in data and _has_nul(value):
             raise ValueError("a text holds a NUL character")
     except (ValueError, RecursionError) as error:
-        raise MalformedInput(f"The body is not valid JSON: {_reason(error)}.") from error
+        raise MalformedInputError(f"The body is not valid JSON: {_reason(error)}.") from error
     return value
 
 
@@ -66,17 +66,17 @@ def _reason(error: Exception) -> str:
 def read(model: type[M], raw: Any) -> M:
     """Validate what was given against a model.
 
-    Raises InvalidInput with one FieldError per refused value.
+    Raises InvalidInputError with one FieldError per refused value.
     """
     try:
         return model.model_validate(raw)
     except ValidationError as error:
-        raise InvalidInput(field_errors(error.errors(include_url=False), model, raw)) from error
+        raise InvalidInputError(field_errors(error.errors(include_url=False), model, raw)) from error
 
 
-def engine_refusal(error: EngineError, raw: Any = None) -> InvalidInput:
+def engine_refusal(error: EngineError, raw: Any = None) -> InvalidInputError:
     """The same refusal as an input error, with what was typed at its place."""
-    return InvalidInput([FieldError(error.path, error.message, _typed(raw, error.path))])
+    return InvalidInputError([FieldError(error.path, error.message, _typed(raw, error.path))])
 
 
 def field_errors(errors: Iterable[ErrorDetails], model: type[BaseModel], raw: Any) -> list[FieldError]:

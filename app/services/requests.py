@@ -92,7 +92,7 @@ class SizingRequest(Declared):
     @field_validator("motion")
     @classmethod
     def _fits_the_mechanism(cls, motion: Any, info: ValidationInfo) -> Any:
-        """A linear mechanism needs a linear motion, a rotary one a rotary one; data of either kind show it when solved."""
+        """A linear mechanism needs a linear motion; data of either kind show theirs when they are solved."""
         mechanism = info.data.get("mechanism")
         if mechanism is None or motion.motion_kind in ("either", mechanism.motion_kind):
             return motion
@@ -110,9 +110,7 @@ class SizingRequest(Declared):
         )
 
 
-Texts = Annotated[
-    tuple[Annotated[str, StringConstraints(min_length=1, max_length=120)], ...], Field(max_length=50)
-]
+Texts = Annotated[tuple[Annotated[str, StringConstraints(min_length=1, max_length=120)], ...], Field(max_length=50)]
 Ranking = Literal["utilisation", "mass", "rated_torque", "inertia_match"]
 
 
@@ -170,10 +168,10 @@ class Typed:
 
 
 def read_sizing(raw: Any) -> Typed:
-    """Parse a sizing request; raises InvalidInput with the path of every refused value."""
+    """Parse a sizing request; raises InvalidInputError with the path of every refused value."""
     return Typed(read(SizingRequest, raw), raw)
 
 
 def read_selection(raw: Any) -> Typed:
-    """Parse a selection request; raises InvalidInput with the path of every refused value."""
+    """Parse a selection request; raises InvalidInputError with the path of every refused value."""
     return Typed(read(SelectionRequest, raw), raw)

@@ -14,7 +14,7 @@ from app.engine.optimum import OptimumResult, optimum
 from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
 from app.engine.sheet import Check, Sheet, Verdict
 from app.services.catalogue import CatalogueCache
-from app.services.errors import FieldError, InvalidInput, NotFound
+from app.services.errors import FieldError, InvalidInputError, NotFoundError
 from app.services.reading import engine_refusal
 from app.services.requests import MOTION_WORDS, SizingRequest, Typed, read_sizing
 from app.services.version import ENGINE_VERSION
@@ -101,11 +101,11 @@ class SizingService:
         self._catalogue = catalogue
 
     def size(self, raw: Any) -> Sizing:
-        """Calculate a request as it was typed. Raises InvalidInput with the path of every refused value."""
+        """Calculate a request as it was typed. Raises InvalidInputError with the path of every refused value."""
         return self.calculate(read_sizing(raw))
 
     def calculate(self, typed: Typed) -> Sizing:
-        """Calculate a parsed request. Raises InvalidInput."""
+        """Calculate a parsed request. Raises InvalidInputError."""
         request, sheet = typed.request, Sheet()
         with refusals(typed.raw):
             parts = self.parts(request)
@@ -128,7 +128,7 @@ class SizingService:
         )  # fmt: skip
 
     def parts(self, request: SizingRequest) -> Parts:
-        """The products that a request names. Raises InvalidInput for an unknown one, at its id."""
+        """The products that a request names. Raises InvalidInputError for an unknown one, at its id."""
         drive = request.drive
         motor: ServoMotor | None = None
         gear: ServoGearUnit | None = None
@@ -136,7 +136,9 @@ class SizingService:
         if drive.motor is not None:
             motor = drive.motor.own.product() if drive.motor.own else self._named("motor", drive.motor.id)
         if drive.gear_unit is not None:
-            gear = drive.gear_unit.own.product() if drive.gear_unit.own else self._named("gear_unit", drive.gear_unit.id)
+            gear = (
+                drive.gear_unit.own.product() if drive.gear_unit.own else self._named("gear_unit", drive.gear_unit.id)
+            )
         if drive.servo_drive is not None:
             amplifier = self._named("servo_drive", drive.servo_drive.id)
         return Parts(motor=motor, gear_unit=gear, servo_drive=amplifier)
@@ -144,8 +146,8 @@ class SizingService:
     def _named(self, role: str, product_id: str | None) -> Any:
         try:
             return self._catalogue.snapshot().product(role, str(product_id))
-        except NotFound as error:
-            raise InvalidInput([FieldError(("drive", role, "id"), error.message, product_id)]) from error
+        except NotFoundError as error:
+            raise InvalidInputError([FieldError(("drive", role, "id"), error.message, product_id)]) from error
 
     def _catalogue_version(self, request: SizingRequest) -> str:
         chosen = (request.drive.motor, request.drive.gear_unit, request.drive.servo_drive)
@@ -182,7 +184,7 @@ def located(part: str) -> Iterator[None]:
 
 @contextmanager
 def refusals(raw: Any) -> Iterator[None]:
-    """Turn what the engine refuses inside into an InvalidInput with what was typed."""
+    """Turn what the engine refuses inside into an InvalidInputError with what was typed."""
     try:
         yield
     except EngineError as error:
@@ -194,9 +196,20 @@ def _optimum(request: SizingRequest, demand: Demand, parts: Parts, sheet: Sheet)
         return None
     rotor = (parts.motor.rotor_inertia or 0.0) if parts.motor else 0.0
     gear = (parts.gear_unit.inertia or 0.0) if parts.gear_unit else 0.0
-    ratio = parts.gear_unit.ratio if parts.gear_unit else 1.0
+    sheet.assume_defaults(request.optimum, "optimum.")
     with located("optimum"), sheet.section("Optimum for acceleration"):
-        return optimum(request.mechanism, rotor + gear, ratio, request.optimum, sheet)
+        return optimum(
+            request.mechanism,
+            demand.load,
+            demand.profile,
+            request.environment,
+            request.optimum,
+            sheet,
+            drive_inertia=rotor + gear,
+            ratio=parts.gear_unit.ratio if parts.gear_unit else 1.0,
+            gear_efficiency=(parts.gear_unit.efficiency if parts.gear_unit else None) or 1.0,
+            peak_torque=parts.motor.peak_torque if parts.motor else None,
+        )
 
 
 def _headlines(load: Load, sheet: Sheet) -> Iterator[Headline]:

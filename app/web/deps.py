@@ -15,7 +15,7 @@ from app.services.projects import ProjectService
 from app.services.reading import parse_json
 from app.services.selection import SelectionService
 from app.services.sizing import SizingService
-from app.web.errors import PreconditionRequired, UnsupportedMedia
+from app.web.errors import PreconditionRequiredError, UnsupportedMediaError
 from app.web.state import Running
 
 MAX_LIMIT = 200
@@ -78,7 +78,7 @@ async def get_bytes(request: Request) -> bytes:
     """The body as it came, if it is declared as JSON (or not declared at all)."""
     declared = request.headers.get("content-type", "application/json").partition(";")[0].strip().lower()
     if declared != "application/json" and not declared.endswith("+json"):
-        raise UnsupportedMedia(f"The body must be application/json, not {declared[:100]!r}.")
+        raise UnsupportedMediaError(f"The body must be application/json, not {declared[:100]!r}.")
     return await request.body()
 
 
@@ -102,7 +102,7 @@ def get_version(
     """The version that a change was made from."""
     text = (if_match or "").strip().removeprefix("W/").strip('"')
     if not text.isascii() or not text.isdigit() or int(text[:20]) > LARGEST_VERSION:
-        raise PreconditionRequired('Name the version that was edited in the header If-Match, for example "3".')
+        raise PreconditionRequiredError('Name the version that was edited in the header If-Match, for example "3".')
     return int(text)
 
 

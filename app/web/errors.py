@@ -2,7 +2,7 @@
 
 Programs get ``application/problem+json`` (RFC 9457) with the path of every refused value. Pages install
 ``app.state.problem_page``, a callable that turns a request and a Problem into HTML; a page that shows a refused form
-again catches InvalidInput itself.
+again catches InvalidInputError itself.
 """
 
 import http
@@ -20,13 +20,13 @@ from pydantic_core import to_json
 from starlette.exceptions import HTTPException
 
 from app.services.errors import (
-    CatalogueEmpty,
-    Conflict,
+    CatalogueEmptyError,
+    ConflictError,
     FieldError,
-    Forbidden,
-    InvalidInput,
-    MalformedInput,
-    NotFound,
+    ForbiddenError,
+    InvalidInputError,
+    MalformedInputError,
+    NotFoundError,
     ServiceError,
 )
 
@@ -60,11 +60,11 @@ class Problem(BaseModel):
     id: str | None = Field(default=None, description="Names this failure in the log of the server")
 
 
-class PreconditionRequired(ServiceError):
+class PreconditionRequiredError(ServiceError):
     """A change that does not name the version it was made from."""
 
 
-class TooLarge(HTTPException):
+class TooLargeError(HTTPException):
     """A request body above the limit; a HTTPException because FastAPI passes these on while it reads a body."""
 
     def __init__(self, limit: int) -> None:
@@ -72,19 +72,19 @@ class TooLarge(HTTPException):
         super().__init__(413, f"The body is larger than {size}, the most that is read.")
 
 
-class UnsupportedMedia(ServiceError):
+class UnsupportedMediaError(ServiceError):
     """A body that is not declared as JSON."""
 
 
 _STATUS: dict[type[ServiceError], int] = {
-    InvalidInput: 422,
-    MalformedInput: 400,
-    NotFound: 404,
-    Forbidden: 403,
-    Conflict: 412,
-    CatalogueEmpty: 409,
-    PreconditionRequired: 428,
-    UnsupportedMedia: 415,
+    InvalidInputError: 422,
+    MalformedInputError: 400,
+    NotFoundError: 404,
+    ForbiddenError: 403,
+    ConflictError: 412,
+    CatalogueEmptyError: 409,
+    PreconditionRequiredError: 428,
+    UnsupportedMediaError: 415,
 }
 _KINDS = {
     400: ("malformed", "Malformed request"),
@@ -115,8 +115,8 @@ def problem(status: int, detail: str, **more: Any) -> Problem:
 
 def problem_of(error: ServiceError) -> Problem:
     """The problem that a refusal of a service becomes."""
-    errors = [problem_field(e) for e in error.errors] if isinstance(error, InvalidInput) else []
-    current = error.current if isinstance(error, Conflict) else None
+    errors = [problem_field(e) for e in error.errors] if isinstance(error, InvalidInputError) else []
+    current = error.current if isinstance(error, ConflictError) else None
     return problem(status_of(error), error.message, errors=errors, current_version=current)
 
 
@@ -196,10 +196,10 @@ def _http_detail(request: Request, error: HTTPException) -> str:
     return str(error.detail)
 
 
-def _parameter_errors(error: RequestValidationError) -> InvalidInput:
+def _parameter_errors(error: RequestValidationError) -> InvalidInputError:
     """Errors of path, query and header parameters; bodies are read by the services."""
     found = []
     for item in error.errors():
         message = "is missing" if item["type"] == "missing" else item["msg"].replace("Input should be", "must be")
         found.append(FieldError(tuple(item["loc"][1:]), message, item.get("input")))
-    return InvalidInput(found)
+    return InvalidInputError(found)

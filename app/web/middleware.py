@@ -4,7 +4,7 @@ from starlette.datastructures import MutableHeaders
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.web.errors import TooLarge, problem, respond
+from app.web.errors import TooLargeError, problem, respond
 
 SECURITY_HEADERS = {
     # Plotly writes style attributes; everything else comes from this server only.
@@ -48,14 +48,14 @@ class Guard:
         too_large = length.isdigit() and int(length[:20]) > self._limit
         if too_large:
             await _drain(receive)
-            error = TooLarge(self._limit)
+            error = TooLargeError(self._limit)
             refused = respond(Request(scope), problem(413, error.detail))
             await refused(scope, receive, send_with_headers)
             return
         await self._app(scope, self._counting(receive), send_with_headers)
 
     def _counting(self, receive: Receive) -> Receive:
-        """The stream of the body, cut off with TooLarge where it passes the limit."""
+        """The stream of the body, cut off with TooLargeError where it passes the limit."""
         seen = 0
 
         async def counted() -> Message:
@@ -65,7 +65,7 @@ class Guard:
             if seen > self._limit:
                 if message.get("more_body"):
                     await _drain(receive)
-                raise TooLarge(self._limit)
+                raise TooLargeError(self._limit)
             return message
 
         return counted

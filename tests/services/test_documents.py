@@ -5,14 +5,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.services.documents import FORMAT, VERSION, differences, read_document
-from app.services.errors import InvalidInput
+from app.services.errors import InvalidInputError
 from tests.sizing_requests import SCREW_AXIS
 
 AXIS = {"name": "X", "request": SCREW_AXIS}
+EMPTY = {"title": "x", "axes": []}
+
+
+def with_motion(motion: object) -> dict[str, object]:
+    return {"title": "x", "axes": [{"name": "X", "request": {**SCREW_AXIS, "motion": motion}}]}
 
 
 def refused(raw: object) -> list[tuple[str, str]]:
-    with pytest.raises(InvalidInput) as caught:
+    with pytest.raises(InvalidInputError) as caught:
         read_document(raw)
     return [(error.name, error.message) for error in caught.value.errors]
 
@@ -36,10 +41,10 @@ def test_a_document_reads_as_itself():
         ({"title": " ", "axes": []}, ("title", "must have at least 1 characters")),
         ({"title": "x", "axes": [AXIS, AXIS]}, ("axes.1.name", "is the name of another axis already")),
         ({"title": "x", "axes": [{"name": "X"}]}, ("axes.0.request", "is missing")),
-        ({"title": "x", "axes": [{"name": "X", "request": {**SCREW_AXIS, "motion": {}}}]}, ("axes.0.request.motion.kind", "is missing: say which kind")),
+        (with_motion({}), ("axes.0.request.motion.kind", "is missing: say which kind")),
         ({"title": "x", "axes": [], "edit_token": "y"}, ("edit_token", "is not known here")),
-        ({"format": "other", "title": "x", "axes": []}, ("format", "must be 'drivewright-project': this is no project file")),
-        ({"version": 2, "title": "x", "axes": []}, ("version", "is newer than this program, which reads documents up to version 1")),
+        ({**EMPTY, "format": "x"}, ("format", "must be 'drivewright-project': this is no project file")),
+        ({**EMPTY, "version": 2}, ("version", "is newer than this program, which reads documents up to version 1")),
         ({"title": "x", "axes": [AXIS] * 51}, ("axes", "must have at most 50 entries")),
         ("text", ("", "must be an object with named values")),
     ],

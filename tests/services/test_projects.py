@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.db.repositories.projects import ProjectRepository
 from app.db.session import make_engine, session_factory
-from app.services.errors import Conflict, Forbidden, InvalidInput, NotFound
+from app.services.errors import ConflictError, ForbiddenError, InvalidInputError, NotFoundError
 from app.services.projects import OpenedProject, ProjectService, token_hash, view_token_of
 from tests.sizing_requests import SCREW_AXIS
 
@@ -62,11 +62,11 @@ def test_the_edit_link_opens_and_changes_the_view_link_opens_only(projects: Proj
     viewed = projects.open(opened.view_token)
     assert not viewed.can_edit
     assert viewed.document == projects.open(opened.edit_token).document
-    with pytest.raises(Forbidden):
+    with pytest.raises(ForbiddenError):
         projects.save(opened.view_token, document("other"), 1)
-    with pytest.raises(Forbidden):
+    with pytest.raises(ForbiddenError):
         projects.restore(opened.view_token, 1, 1)
-    with pytest.raises(Forbidden):
+    with pytest.raises(ForbiddenError):
         projects.delete(opened.view_token, 1)
 
 
@@ -89,7 +89,7 @@ def test_tokens_are_neither_stored_nor_exported(session: Session, projects: Proj
 
 @pytest.mark.parametrize("token", ["", "x", "unknown-token", "ü" * 50])
 def test_an_unknown_link_opens_nothing(projects: ProjectService, token: str):
-    with pytest.raises(NotFound):
+    with pytest.raises(NotFoundError):
         projects.open(token)
 
 
@@ -105,21 +105,21 @@ def test_every_save_is_a_revision_with_version_and_editions(projects: ProjectSer
     assert (total, [line.number for line in lines]) == (2, [1])
     old = projects.open(opened.view_token, 1)
     assert (old.title, old.version, old.newest_version) == ("Portal", 1, 2)
-    with pytest.raises(NotFound, match="no revision 3"):
+    with pytest.raises(NotFoundError, match="no revision 3"):
         projects.open(opened.view_token, 3)
 
 
 def test_a_save_from_an_older_version_is_refused_and_changes_nothing(projects: ProjectService, opened: OpenedProject):
     projects.save(opened.edit_token, document("first"), 1)
-    with pytest.raises(Conflict) as caught:
+    with pytest.raises(ConflictError) as caught:
         projects.save(opened.edit_token, document("second"), 1)
     assert caught.value.current == 2
     assert projects.open(opened.edit_token).title == "first"
-    with pytest.raises(Conflict):
+    with pytest.raises(ConflictError):
         projects.restore(opened.edit_token, 1, 1)
-    with pytest.raises(Conflict):
+    with pytest.raises(ConflictError):
         projects.delete(opened.edit_token, 1)
-    with pytest.raises(Conflict):
+    with pytest.raises(ConflictError):
         projects.save(opened.edit_token, document("ahead"), 3)
 
 
@@ -138,7 +138,7 @@ def test_of_two_saves_at_the_same_time_one_is_refused(engine: Engine):
         with factory() as first:
             service(first).save(opened.edit_token, document("first"), 1)
             first.commit()
-    with factory() as second, pytest.raises(Conflict):
+    with factory() as second, pytest.raises(ConflictError):
         service(second).save(opened.edit_token, document("second"), 1)
     with factory() as reader:
         assert service(reader).open(opened.edit_token).title == "first"
@@ -176,14 +176,14 @@ def test_an_export_is_taken_back_as_it_was(projects: ProjectService, opened: Ope
 def test_a_deleted_project_opens_with_no_link(projects: ProjectService, opened: OpenedProject):
     projects.delete(opened.edit_token, 1)
     for token in (opened.edit_token, opened.view_token):
-        with pytest.raises(NotFound):
+        with pytest.raises(NotFoundError):
             projects.open(token)
 
 
 def test_what_cannot_be_used_is_not_saved(projects: ProjectService, opened: OpenedProject):
-    with pytest.raises(InvalidInput):
+    with pytest.raises(InvalidInputError):
         projects.save(opened.edit_token, {"title": "x"}, 1)
-    with pytest.raises(InvalidInput) as caught:
+    with pytest.raises(InvalidInputError) as caught:
         projects.save(opened.edit_token, document(), 1, "x" * 501)
     assert caught.value.errors[0].path == ("comment",)
     assert projects.open(opened.edit_token).version == 1

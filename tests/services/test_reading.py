@@ -7,7 +7,7 @@ from pydantic import Field
 
 from app.engine.errors import MotionError
 from app.engine.quantity import Declared, Option, Quantity
-from app.services.errors import InvalidInput, MalformedInput
+from app.services.errors import InvalidInputError, MalformedInputError
 from app.services.reading import MAX_ERRORS, engine_refusal, parse_json, read
 
 
@@ -25,15 +25,22 @@ class Box(Declared):
 
 class Load(Declared):
     body: Annotated[Disc | Box, Field(discriminator="kind")]
-    bodies: list[Annotated[Disc | Box, Field(discriminator="kind")]] = []
+    bodies: tuple[Annotated[Disc | Box, Field(discriminator="kind")], ...] = ()
     model: Annotated[Literal["fine", "coarse"], Option(default="fine", about="model")]
+
+
+HOW = "give a number in mm, or a number with its unit"
+
+
+def disc(diameter: object, **more: object) -> dict[str, object]:
+    return {"body": {"kind": "disc", "diameter_mm": diameter, **more}}
 
 
 GOOD = {"kind": "disc", "diameter_mm": 250}
 
 
 def refused(raw: object) -> list[tuple[str, str]]:
-    with pytest.raises(InvalidInput) as caught:
+    with pytest.raises(InvalidInputError) as caught:
         read(Load, raw)
     return [(error.name, error.message) for error in caught.value.errors]
 
@@ -42,10 +49,10 @@ def refused(raw: object) -> list[tuple[str, str]]:
     ("raw", "expected"),
     [
         ({"body": {"kind": "disc"}}, ("body.diameter_mm", "is missing: give diameter of the disc in mm")),
-        ({"body": {"kind": "disc", "diameter_mm": 0}}, ("body.diameter_mm", "must be greater than 0 mm")),
-        ({"body": {"kind": "disc", "diameter_mm": True}}, ("body.diameter_mm", "is not a number; give a number in mm, or a number with its unit")),
-        ({"body": {"kind": "disc", "diameter_mm": "2 kg"}}, ("body.diameter_mm", "'kg' does not measure the same thing as 'mm'; give a number in mm, or a number with its unit")),
-        ({"body": {"kind": "disc", "diametre_mm": 2, "diameter_mm": 3}}, ("body.diametre_mm", "is not known here; did you mean diameter_mm?")),
+        (disc(0), ("body.diameter_mm", "must be greater than 0 mm")),
+        (disc(True), ("body.diameter_mm", f"is not a number; {HOW}")),
+        (disc("2 kg"), ("body.diameter_mm", f"'kg' does not measure the same thing as 'mm'; {HOW}")),
+        (disc(3, diametre_mm=2), ("body.diametre_mm", "is not known here; did you mean diameter_mm?")),
         ({"body": {"kind": "ball"}}, ("body.kind", "is none of 'disc', 'box'")),
         ({"body": {"diameter_mm": 3}}, ("body.kind", "is missing: say which kind")),
         ({"body": [1]}, ("body", "must be an object with named values")),
@@ -65,7 +72,7 @@ def test_each_mistake_is_told_at_its_place(raw: object, expected: tuple[str, str
 
 
 def test_what_was_typed_stays_with_the_error():
-    with pytest.raises(InvalidInput) as caught:
+    with pytest.raises(InvalidInputError) as caught:
         read(Load, {"body": {"kind": "disc", "diameter_mm": " 1,5x "}})
     (error,) = caught.value.errors
     assert error.value == " 1,5x "
@@ -82,13 +89,13 @@ def test_endless_mistakes_are_cut_off():
 
 
 def test_a_pointer_escapes_what_json_pointers_escape():
-    with pytest.raises(InvalidInput) as caught:
+    with pytest.raises(InvalidInputError) as caught:
         read(Load, {"body": GOOD, "a/b~c": 1})
     assert caught.value.errors[0].pointer == "/a~1b~0c"
 
 
 def test_errors_of_a_part_are_told_with_the_path_of_the_whole():
-    with pytest.raises(InvalidInput) as caught:
+    with pytest.raises(InvalidInputError) as caught:
         read(Load, {})
     assert caught.value.within("axes", 2, "request").errors[0].name == "axes.2.request.body"
 
@@ -118,7 +125,7 @@ def test_what_the_engine_refuses_keeps_its_place_and_value():
     ],
 )
 def test_what_is_no_json_is_refused_with_the_reason(data: bytes, reason: str):
-    with pytest.raises(MalformedInput) as caught:
+    with pytest.raises(MalformedInputError) as caught:
         parse_json(data)
     assert reason in caught.value.message
 

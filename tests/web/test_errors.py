@@ -10,29 +10,29 @@ from fastapi.responses import HTMLResponse, PlainTextResponse, Response
 from starlette.testclient import TestClient
 
 from app.services.errors import (
-    CatalogueEmpty,
-    Conflict,
+    CatalogueEmptyError,
+    ConflictError,
     FieldError,
-    Forbidden,
-    InvalidInput,
-    MalformedInput,
-    NotFound,
+    ForbiddenError,
+    InvalidInputError,
+    MalformedInputError,
+    NotFoundError,
     ServiceError,
 )
-from app.web.errors import PreconditionRequired, Problem, UnsupportedMedia, install_errors
+from app.web.errors import PreconditionRequiredError, Problem, UnsupportedMediaError, install_errors
 from app.web.middleware import SECURITY_HEADERS, Guard
 
 LIMIT = 1024
 
 REFUSALS: list[tuple[ServiceError, int]] = [
-    (InvalidInput([FieldError(("motion", "moves", 0, "distance_mm"), "must be greater than 0 mm", "-3 mm")]), 422),
-    (MalformedInput("no JSON"), 400),
-    (NotFound("no such project"), 404),
-    (Forbidden("view only"), 403),
-    (Conflict("saved meanwhile", 7), 412),
-    (CatalogueEmpty("the catalogue holds no servo motors: run drivewright load-catalog"), 409),
-    (PreconditionRequired("name the version"), 428),
-    (UnsupportedMedia("text/plain"), 415),
+    (InvalidInputError([FieldError(("motion", "moves", 0, "distance_mm"), "must be greater than 0 mm", "-3 mm")]), 422),
+    (MalformedInputError("no JSON"), 400),
+    (NotFoundError("no such project"), 404),
+    (ForbiddenError("view only"), 403),
+    (ConflictError("saved meanwhile", 7), 412),
+    (CatalogueEmptyError("the catalogue holds no servo motors: run drivewright load-catalog"), 409),
+    (PreconditionRequiredError("name the version"), 428),
+    (UnsupportedMediaError("text/plain"), 415),
 ]
 
 
@@ -170,7 +170,7 @@ def test_a_long_value_is_not_repeated_in_full():
 
     @app.get("/api/long")
     def long() -> None:
-        raise InvalidInput([FieldError(("a" * 1000,), "is unknown", ["x"] * 1000)])
+        raise InvalidInputError([FieldError(("a" * 1000,), "is unknown", ["x"] * 1000)])
 
     with TestClient(app) as http:
         response = http.get("/api/long")

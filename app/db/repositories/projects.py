@@ -71,7 +71,7 @@ class ProjectRepository:
         return project
 
     def save(self, project: Project, version: int, revision: NewRevision) -> bool:
-        """Store the next revision if ``version`` still is the newest one; False when it is not, and nothing is stored."""
+        """Store the next revision if ``version`` still is the newest one; else store nothing and return False."""
         result = self._session.execute(
             update(Project)
             .where(Project.id == project.id, Project.version == version, Project.deleted_at.is_(None))

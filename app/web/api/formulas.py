@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Path, Query
 
 from app.reports import book
-from app.services.errors import NotFound
+from app.services.errors import NotFoundError
 from app.web.api.models import FormulaAnswer, FormulaArgument, FormulaSummary, Page
 from app.web.deps import Limit, Offset
 from app.web.errors import problems
@@ -33,7 +33,7 @@ def get_formula(name: Name) -> FormulaAnswer:
     try:
         found = book.find(name)
     except KeyError as error:
-        raise NotFound(f"The library has no formula {name!r}.") from error
+        raise NotFoundError(f"The library has no formula {name!r}.") from error
     arguments = [
         FormulaArgument(name=a.name, symbol=a.symbol_text, meaning=a.meaning, unit=a.unit) for a in found.arguments
     ]
