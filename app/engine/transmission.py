@@ -1,5 +1,6 @@
 """A shaft that moves a mass in a straight line, as the search for the best transmission sees it."""
 
+import math
 from dataclasses import dataclass
 from typing import Literal, Protocol, runtime_checkable
 
@@ -20,12 +21,19 @@ class LinearTransmission:
     """On the mechanism's shaft before its losses, independent of A [kg m2]"""
     rear_inertia: float = 0.0
     """On the mechanism's shaft behind its losses, independent of A [kg m2]"""
-    pulley_coefficient: float = 0.0
-    """Inertia of solid pulleys divided by the fourth power of their diameter [kg/m2]: grows with A; else 0"""
+    front_pulleys: float = 0.0
+    """Inertia of solid pulleys before the losses, divided by diameter^4 [kg/m2]: it grows with A"""
+    rear_pulleys: float = 0.0
+    """The same of those behind the losses [kg/m2]"""
     resisting_force: float = 0.0
     """Friction, weight and external force that oppose motion in positive direction [N]"""
     efficiency: float = 1.0
     """Of the mechanism, while it drives"""
+
+    @property
+    def size_per_constant(self) -> float:
+        """Lead or diameter over A."""
+        return 2 * math.pi if self.size == "lead" else 2.0
 
 
 @runtime_checkable

@@ -84,6 +84,6 @@ def drum_grip(F_2: Newton, mu_d: One, phi: Rad) -> Newton:
     ``F_2`` tension of the slack strand, ``mu_d`` friction coefficient between belt and drum, ``phi`` wrap angle.
 
     >>> round(drum_grip(1000.0, 0.3, 3.141592653589793), 1)  # 1000 N * (e^0.942 - 1)
-    1566.4
+    1566.3
     """
     return F_2 * (exp(mu_d * phi) - 1)

@@ -152,13 +152,8 @@ class LinearAxis:
         moving = [np.where(run.braked, 0.0, self.force(run, environment.gravity)) for run in runs]
         return float(np.abs(moving).max())
 
-    def transmission(
-        self, payload: float, environment: Environment, *, pulley_coefficient: float = 0.0
-    ) -> LinearTransmission:
-        """The axis as a transmission whose diameter can be chosen; other rotating parts are kept as they are.
-
-        With a ``pulley_coefficient`` the inertia behind the losses is that of the pulleys, and grows with them instead.
-        """
+    def transmission(self, payload: float, environment: Environment) -> LinearTransmission:
+        """The axis as a transmission whose diameter can be chosen; its rotating parts are kept as they are."""
         g = environment.gravity
         return LinearTransmission(
             size="diameter",
@@ -166,7 +161,6 @@ class LinearAxis:
             mass=float(self.moved_mass(payload)),
             front_inertia=self.front_inertia,
             rear_inertia=self.rear_inertia,
-            pulley_coefficient=pulley_coefficient,
             resisting_force=float(self.body.constant_force(payload, g) + self.body.friction(payload, g)),
             efficiency=self.efficiency,
         )

@@ -1,5 +1,6 @@
 """Timing belt axis: a slide clamped to a belt that runs over a drive pulley and idlers, at any inclination."""
 
+from dataclasses import replace
 from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
@@ -188,11 +189,12 @@ class TimingBelt(GuidedAxis, Mechanism):
 
     def transmission(self, payload: float, environment: Environment) -> LinearTransmission:
         """The pulley as a transmission whose diameter can be chosen; solid pulleys of a given width grow with it."""
-        axis = self._axis(Sheet())
-        coefficient = 0.0
-        if self.pulley_width is not None:
-            coefficient = pulley_inertia_coefficient(2.0, self.pulley_density, self.pulley_width)
-        return axis.transmission(payload, environment, pulley_coefficient=coefficient)
+        found = self._axis(Sheet()).transmission(payload, environment)
+        if self.pulley_width is None:
+            return found
+        each = float(pulley_inertia_coefficient(1.0, self.pulley_density, self.pulley_width))
+        front, rear = (0.0, 2 * each) if self.efficiency_covers == "load_side" else (each, each)
+        return replace(found, front_inertia=0.0, rear_inertia=0.0, front_pulleys=front, rear_pulleys=rear)
 
     def _axis(self, sheet: Sheet) -> LinearAxis:
         """The axis in SI, with its geometry written to ``sheet``."""
