@@ -21,7 +21,7 @@ R = TypeVar("R")
 
 TIGHT = 0.8
 """Utilisation above which a check that holds is called tight."""
-_ROUNDING = 1e-9
+ROUNDING = 1e-9
 """Relative excess over a limit that is floating-point noise, not a violation."""
 
 
@@ -108,9 +108,12 @@ class Check:
 
 
 def utilisation(demanded: float, permitted: float) -> float:
-    """Share of the permitted value that is used; 0 without demand, infinite where a demand meets nothing permitted."""
+    """Share of the permitted value that is used; 0 without demand, infinite where a demand meets nothing permitted.
+
+    A permitted value below zero is exceeded by no demand too.
+    """
     if demanded <= 0:
-        return 0.0
+        return 0.0 if demanded <= permitted else math.inf
     return demanded / permitted if permitted > 0 else math.inf
 
 
@@ -122,14 +125,21 @@ def verdict(used: float | None) -> Verdict:
     """
     if used is None:
         return Verdict.NOT_CHECKED
-    if used > 1 + _ROUNDING:
+    if used > 1 + ROUNDING:
         return Verdict.FAILS
     return Verdict.TIGHT if used > TIGHT else Verdict.OK
 
 
+def _unique(key: str, used: set[str]) -> str:
+    """The key itself, or the first of key#2, key#3 ... that is not used."""
+    if key not in used:
+        return key
+    return next(name for count in range(2, len(used) + 3) if (name := f"{key}#{count}") not in used)
+
+
 @dataclass
 class Sheet:
-    """Records a calculation while it runs. ``sheet(formula, a=..., b=...)`` evaluates, records and returns the value."""
+    """Records a calculation as it runs: ``sheet(formula, a=..., b=...)`` evaluates, records and returns the value."""
 
     steps: list[Step] = field(default_factory=list)
     assumptions: list[Assumption] = field(default_factory=list)
@@ -161,17 +171,12 @@ class Sheet:
         if not math.isfinite(value):
             given = ", ".join(f"{name} = {number}" for name, number in values.items())
             raise RangeError(f"{formula.summary} cannot be computed from {given}")
+        key = _unique(key or formula.name, {step.key for step in self.steps})
         self.steps.append(Step(
-            key=self._unique(key or formula.name), section=self._section, label=label or formula.summary,
+            key=key, section=self._section, label=label or formula.summary,
             symbol=symbol or formula.symbol, formula=formula, inputs=values, value=value, unit=unit or formula.unit,
         ))  # fmt: skip
         return value
-
-    def _unique(self, key: str) -> str:
-        used = {step.key for step in self.steps}
-        if key not in used:
-            return key
-        return next(name for count in range(2, len(used) + 3) if (name := f"{key}#{count}") not in used)
 
     @contextmanager
     def section(self, title: str) -> Iterator[None]:
@@ -220,9 +225,15 @@ class Sheet:
         formula: str = "",
         missing: str = "",
     ) -> Check:
-        """Record a check of demanded <= permitted (SI values). None on either side needs ``missing``: what is not known."""
+        """Record a check of demanded <= permitted (SI values).
+
+        None on either side needs ``missing``: what is not known. A key that is taken gets a number. Raises RangeError for NaN, which would pass as holding.
+        """
         if (demanded is None or permitted is None) and not missing:
             raise ValueError(f"check {key}: say what is missing")
+        if any(value is not None and math.isnan(value) for value in (demanded, permitted)):
+            raise RangeError(f"{name} cannot be checked: a value is not a number")
+        key = _unique(key, {known.key for known in self.checks})
         made = Check(key, name, demanded, permitted, unit, source, self._section, formula, missing)
         self.checks.append(made)
         return made
