@@ -228,7 +228,7 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
         self, screw: _Screw, motion: MotionProfile, environment: Environment, inertia: float
     ) -> tuple[LoadCycle, FloatArray]:
         """Load cycle at the screw, and the force on the nut in each of its segments [N]."""
-        force = np.where(motion.braked, 0.0, self.force(motion, environment.gravity))
+        force = self.force(motion, environment.gravity)
         torque = np.where(motion.braked, 0.0, screw.torque(force, motion.mean_speed, motion.acceleration))
         cycle = LoadCycle(
             duration=motion.duration, speed_start=shaft_speed(motion.speed_start, screw.A),

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pydantic import ValidationError
 
 from app.engine.environment import Environment
 from app.engine.mechanisms import mechanisms
@@ -19,65 +18,11 @@ from app.engine.mechanisms.base import Load
 from app.engine.mechanisms.guided_axis import split
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import to_si
-from app.engine.sheet import Sheet, Verdict
+from app.engine.sheet import Sheet
+from tests.engine.mechanisms.screw_cases import LACHMAN, PLAIN, ROUND_TRIP, RPM, load, profile, run
 
 DRAWING = Path(__file__).resolve().parents[3] / "static/drawings" / BallScrew.drawing
-RPM = 2 * math.pi / 60
 FEW = settings(max_examples=30, deadline=None)
-
-PLAIN: dict[str, Any] = {
-    "slide_mass_kg": 400,
-    "nominal_diameter_mm": 50,
-    "lead_mm": 20,
-    "length_mm": 1000,
-    "efficiency": 1,
-    "friction_model": "none",
-}
-LACHMAN: dict[str, Any] = {
-    **PLAIN,
-    "inclination_deg": 60,
-    "friction_model": "per_mass",
-    "specific_friction_n_kg": 1,
-    "screw_friction": "diameter_rule",
-    "mounting": "supported_supported",
-    "bearing_stiffness_n_um": 1000,
-    "loaded_turns": 3.5,
-    "stressed_length_mm": 540,
-    "dn_limit_mmrpm": 120000,
-}
-
-
-def run(move: tuple[float, float, float], *more: tuple[float, float, float], a: float = 5.0, m: float = 0.0) -> Any:
-    """Moves (signed distance [m], speed [m/s], process force [N]) one after the other, each from rest to rest."""
-    rows = []
-    for number, (distance, speed, force) in enumerate((move, *more), start=1):
-        way, t = math.copysign(1, distance), speed / a
-        level = (abs(distance) - speed * t) / speed
-        rows += [(t, 0, way * speed, force, way, f"move {number}: accelerating")]
-        rows += [(level, way * speed, way * speed, force, way, f"move {number}: constant speed")]
-        rows += [(t, way * speed, 0, force, way, f"move {number}: decelerating")]
-    return profile(rows, m)
-
-
-def profile(rows: list[tuple[Any, ...]], payload: float = 0.0) -> MotionProfile:
-    duration, start, end, force, way, label = zip(*rows, strict=True)
-    numbers = [np.array(column, dtype=float) for column in (duration, start, end)]
-    return MotionProfile(
-        "linear", *numbers, payload=np.full(len(rows), payload), process_force=np.array(force, dtype=float),
-        direction=np.array(way, dtype=float), braked=np.zeros(len(rows), dtype=bool), label=label,
-    )  # fmt: skip
-
-
-def load(axis: dict[str, Any], motion: MotionProfile, **environment: Any) -> tuple[Load, Sheet]:
-    sheet = Sheet()
-    return BallScrew.model_validate(axis).load(motion, Environment.model_validate(environment), sheet), sheet
-
-
-def check(sheet: Sheet, key: str) -> Any:
-    return next(item for item in sheet.checks if item.key == key)
-
-
-ROUND_TRIP = run((0.18, 0.5, 0), (-0.18, 0.5, 0), (0.18, 0.2, 1e4), (-0.18, 0.2, 1e4))
 
 
 # --- worked by hand ---------------------------------------------------------------------------------------------------
@@ -216,7 +161,8 @@ def test_a_held_axis_needs_the_holding_torque_and_a_braked_one_nothing():
 AXES = st.fixed_dictionaries(
     {
         "slide_mass": st.floats(1, 3000), "inclination": st.floats(0, math.pi / 2),
-        "nominal_diameter": st.floats(0.01, 0.1), "lead": st.floats(0.002, 0.06), "length": st.floats(0.2, 3), "efficiency": st.floats(0.3, 1),
+        "nominal_diameter": st.floats(0.01, 0.1), "lead": st.floats(0.002, 0.06),
+        "length": st.floats(0.2, 3), "efficiency": st.floats(0.3, 1),
         "efficiency_covers": st.sampled_from(["nut", "load_side"]), "friction_coefficient": st.floats(0, 0.3),
         "friction_force": st.floats(0, 500), "screw_friction_torque": st.floats(0, 5),
     }
@@ -362,110 +308,6 @@ def test_viscous_friction_is_sampled_finely_enough():
     # closed form: the friction work of one way is k_v * integral of v^2 dt = k_v (2/3 v^2 t_a + v^2 t_c)
     work = float((found.cycle.torque * angles(found)).sum())
     assert work == pytest.approx(2 * 4000 * 0.25 * (2 / 3 * 0.1 + 0.9), rel=1e-4)
-
-
-# --- checks, decisions, refusals --------------------------------------------------------------------------------------
-
-
-def test_missing_data_leave_a_check_open_and_are_named():
-    _, sheet = load(PLAIN, ROUND_TRIP)
-    missing = {item.key: item.missing for item in sheet.checks if item.verdict is Verdict.NOT_CHECKED}
-    assert missing.keys() == {
-        *("dn_factor", "screw_speed", "critical_speed", "buckling", "natural_frequency", "lost_motion"),
-    }
-    assert "root diameter" in missing["critical_speed"]
-    for part in ("loaded turns", "thrust bearing", "largest length under load"):
-        assert part in missing["natural_frequency"]
-
-
-@pytest.mark.parametrize(
-    ("change", "key", "verdict"),
-    [
-        ({"lead_mm": 10}, "dn_factor", Verdict.FAILS),  # 50 mm * 3000 rpm = 150000 > 120000
-        ({"lead_mm": 20}, "dn_factor", Verdict.OK),
-        ({"permitted_speed_rpm": 1600}, "screw_speed", Verdict.TIGHT),
-        ({"natural_frequency_limit_hz": 170}, "natural_frequency", Verdict.FAILS),  # 163.8 Hz
-        ({"lost_motion_limit_um": 1.8}, "lost_motion", Verdict.FAILS),  # 1.888 um
-        ({"root_diameter_mm": 44, "nut_stiffness_n_um": 800}, "natural_frequency", Verdict.OK),
-    ],
-)
-def test_limits(change: dict[str, Any], key: str, verdict: Verdict):
-    assert check(load({**LACHMAN, **change}, ROUND_TRIP)[1], key).verdict is verdict
-
-
-def test_critical_speed_and_buckling_by_mounting():
-    slim = {**PLAIN, "root_diameter_mm": 20, "length_mm": 2500, "stressed_length_mm": 2000}
-    _, sheet = load({**slim, "mounting": "fixed_free"}, ROUND_TRIP)
-    # 1.875^2 * 0.02 / (4 * 6.25) * sqrt(2.1e11 / 7850) = 14.547 rad/s, of which 0.8 = 111.1 rpm
-    assert check(sheet, "critical_speed").permitted == pytest.approx(111.1 * RPM, rel=1e-3)
-    # 0.25 * pi^3 * 2.1e11 * 1.6e-7 / (64 * 4) = 1017.4 N, half of it is permitted; demanded 400 * 5 + 10000 N
-    assert check(sheet, "buckling").permitted == pytest.approx(508.7, rel=1e-3)
-    assert check(sheet, "buckling").demanded == pytest.approx(12000)
-    assert check(sheet, "buckling").verdict is Verdict.FAILS
-    _, sheet = load({**slim, "mounting": "fixed_fixed"}, ROUND_TRIP)
-    assert check(sheet, "buckling").permitted == pytest.approx(16 * 508.7, rel=1e-3)
-
-
-def test_one_thrust_bearing_halves_what_two_give():
-    _, sheet = load({**LACHMAN, "mounting": "fixed_supported"}, ROUND_TRIP)
-    assert sheet.value("bearing_stiffness_total") == pytest.approx(1e9)
-    assert sheet.value("screw_tension_stiffness") == pytest.approx(763.5815477e6)  # E S / x
-
-
-@pytest.mark.parametrize(
-    ("change", "environment", "said"),
-    [
-        ({"efficiency": 0.45}, {"regeneration": "sew"}, {"The screw is self-locking"}),
-        ({"efficiency": 0.55}, {"regeneration": "sew"}, set()),
-        ({"efficiency": 0.45}, {"regeneration": "eta"}, set()),
-        ({"efficiency": 0.9, "friction_force_n": 4000}, {}, {"Friction alone holds the axis"}),
-    ],
-)
-def test_self_locking(change: dict[str, Any], environment: dict[str, Any], said: set[str]):
-    axis = {**PLAIN, "inclination_deg": 90, **change}
-    _, sheet = load(axis, ROUND_TRIP, **environment)
-    assert {item.text for item in sheet.decisions if "lock" in item.text or "holds" in item.text} == said
-
-
-def test_a_steep_lead_is_not_self_locking_and_a_flat_one_is():
-    # tan(phi) = h / (pi D): 2 mm on 50 mm gives 0.0127, 20 mm gives 0.127; thread friction 0.1
-    axis = {key: value for key, value in PLAIN.items() if key != "efficiency"}
-    for lead, locked in ((2, True), (20, False)):
-        _, sheet = load({**axis, "lead_mm": lead, "inclination_deg": 90, "thread_friction": 0.1}, ROUND_TRIP)
-        assert ("The screw is self-locking" in {item.text for item in sheet.decisions}) is locked
-        tangent = lead / (math.pi * 50)
-        assert sheet.value("efficiency") == pytest.approx(tangent * (1 - 0.1 * tangent) / (tangent + 0.1))
-
-
-@pytest.mark.parametrize(
-    ("change", "field"),
-    [
-        ({"length_mm": None}, "length_mm"),
-        ({"root_diameter_mm": 51}, "root_diameter_mm"),
-        ({"stressed_length_mm": 1001}, "stressed_length_mm"),
-        ({"counterweight_mass_kg": 100}, "counterweight_mass_kg"),
-        ({"thread_friction": 0.1}, "thread_friction"),
-        ({"screw_friction": "diameter_rule", "screw_friction_torque_nm": 2}, "screw_friction_torque_nm"),
-        ({"slide_mass_kg": -1}, "slide_mass_kg"),
-        ({"lead_mm": 0}, "lead_mm"),
-        ({"efficiency": 1.2}, "efficiency"),
-        ({"inclination_deg": 91}, "inclination_deg"),
-    ],
-)
-def test_an_impossible_axis_is_refused_at_its_field(change: dict[str, Any], field: str):
-    with pytest.raises(ValidationError) as caught:
-        BallScrew.model_validate({**PLAIN, **change})
-    assert [error["loc"] for error in caught.value.errors()] == [(field,)]
-
-
-def test_only_defaults_that_count_are_assumed():
-    taken = {name for name, _, _ in BallScrew.model_validate(PLAIN).defaults_taken()}
-    assert "shear_modulus" not in taken  # no stiffness is computed
-    assert "friction_coefficient" not in taken  # there is no such friction
-    assert "density" in taken
-    assert "friction_coefficient" in {
-        name for name, _, _ in BallScrew.model_validate({**PLAIN, "friction_model": "normal_force"}).defaults_taken()
-    }
 
 
 def test_the_drawing_carries_symbols_of_fields():
