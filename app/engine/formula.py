@@ -7,9 +7,9 @@
         \"""Friction of a guide under a normal force. ...\"""
         return mu * F_N
 
-Called plainly, a formula takes floats or arrays. Through a :class:`~app.engine.sheet.Sheet` the same call is recorded as
-a step. What is shown is rendered from the function's own syntax tree (``app.reports``), so it cannot differ from what
-was computed. The body is one expression, with a few named intermediates where it must be.
+Called plainly, a formula takes floats or arrays. Through a :class:`~app.engine.sheet.Sheet` the same call is recorded
+as a step. What is shown is rendered from the function's own syntax tree (``app.reports``), so it cannot differ from
+what was computed. The body is one expression, with a few named intermediates where it must be.
 """
 
 import ast
@@ -54,12 +54,14 @@ class Formula(Generic[P, R]):
         self.source = source
         self.topic: str = function.__module__.rsplit(".", 1)[-1]
         hints = inspect.get_annotations(function)
-        self.si_unit: str = _unit_of(hints.pop("return"), self.name)
+        self.si_unit: str = _unit_of(hints.pop("return", None), self.name)
         self.parameters: dict[str, str] = {name: _unit_of(hint, self.name) for name, hint in hints.items()}
         if list(self.parameters) != list(inspect.signature(function).parameters):
             raise TypeError(f"{self.name}: every argument needs a unit")
         if not (function.__doc__ or "").strip():
             raise TypeError(f"{self.name}: a formula needs a docstring")
+        if not (symbol.strip() and source.strip()):
+            raise TypeError(f"{self.name}: a formula needs a symbol and a source")
 
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
         """Evaluate: floats give a float, arrays (or lists) give an array of the broadcast shape."""
@@ -110,7 +112,8 @@ class FormulaBody:
 def formula(*, symbol: str, unit: str, source: str) -> Callable[[Callable[P, R]], Formula[P, R]]:
     """Register a function as a formula. ``source`` names document and clause; own derivations say "derived: ...".
 
-    Raises TypeError for a name registered twice, an argument without unit or a body that cannot be shown.
+    Raises TypeError for a name registered twice, an argument or result without unit, and where docstring, symbol or
+    source is missing. A body that cannot be shown raises TypeError when it is first shown.
     """
 
     def register(function: Callable[P, R]) -> Formula[P, R]:

@@ -38,11 +38,31 @@ from app.engine.errors import UnitError
 
 NUMBER_PATTERN = r"[-+]?(?:\d+(?:[ \u00a0\u202f]\d{3})*(?:[.,]\d*)*|[.,]\d+)(?:[eE][-+]?\d+)?"
 _NUMBER_WITH_UNIT = re.compile(rf"^\s*(?P<number>{NUMBER_PATTERN})\s*(?P<unit>[^\d\s.,].*?|1\s*/.*?)?\s*$")
-# What a reader may type as a unit: names, small powers, products and quotients; nothing that pint would have to compute.
-_UNIT_TEXT = re.compile(r"^(1\s*/\s*)?[A-Za-z%°]+(\^?-?[1-4])?(\s*[ */]\s*[A-Za-z%°]+(\^?-?[1-4])?)*$")
-_SUPERSCRIPTS = str.maketrans({"²": "2", "³": "3", "⁴": "4", "·": " ", "µ": "u", "μ": "u", "−": "-", "×": " "})
-_COMPACT = {"Nm": "N m", "kgm2": "kg m2", "kgcm2": "kg cm2", "Ncm": "N cm", "mNm": "mN m", "kNm": "kN m"}
-_TURNS = {"1/min": "rpm", "min-1": "rpm", "r/min": "rpm", "U/min": "rpm", "1/s": "rev/s", "s-1": "rev/s", "Hz": "rev/s"}
+_LONGEST_TEXT = 60
+# What a reader may type as a unit: names, small powers, products, quotients; nothing that pint would have to compute.
+_UNIT_TEXT = re.compile(r"^(1?\s*/\s*)?[A-Za-z%°]+(\^?-?[1-4])?(\s*[ */]\s*[A-Za-z%°]+(\^?-?[1-4])?)*$")
+_SUPERSCRIPTS = str.maketrans(
+    {"¹": "1", "²": "2", "³": "3", "⁴": "4", "⁻": "-", "−": "-", "·": " ", "×": " ", "µ": "u", "μ": "u", "Ω": "ohm"}
+)
+_COMPACT = {
+    "Nm": "N m", "mNm": "mN m", "kNm": "kN m", "Ncm": "N cm", "kgm2": "kg m2", "kgcm2": "kg cm2", "Ws": "W s",
+    "PS": "metric_horsepower", "kp": "kgf", "U": "rev",
+}  # fmt: skip
+_ANGLES = {
+    "radian", "degree", "arcminute", "arcsecond", "turn", "rev", "revolutions_per_minute", "revolutions_per_second",
+}  # fmt: skip
+"""Units of angle and rotational speed. To pint an angle has no dimension: "10 mm/rev" would pass for 1.59 mm."""
+_TURNS = {
+    "1/min": "rpm",
+    "min-1": "rpm",
+    "r/min": "rpm",
+    "U/min": "rpm",
+    "RPM": "rpm",
+    "/min": "rpm",
+    "1/s": "rev/s",
+    "s-1": "rev/s",
+    "Hz": "rev/s",
+}
 
 
 @cache
@@ -55,7 +75,8 @@ def _registry() -> pint.UnitRegistry[float]:
 def _pint_expression(unit: str) -> str:
     """Spell one of our units (``kg cm2``, ``N m/arcmin``) for pint: a space multiplies, a trailing digit is a power."""
     text = unit.translate(_SUPERSCRIPTS).replace("°C", "degC").replace("°", "deg").replace("%", "percent").strip()
-    text = _COMPACT.get(text, text)
+    text = re.sub(r"[A-Za-z]+\d?", lambda word: _COMPACT.get(word[0], word[0]), text)
+    text = f"1{text}" if text.startswith("/") else text
     text = re.sub(r"([A-Za-z])\^?(-?\d)", r"\1**\2", text)
     return re.sub(r"\s*/\s*", "/", text).replace(" ", "*") or "dimensionless"
 
@@ -126,6 +147,16 @@ def parse_number(text: str) -> float:
         raise UnitError(f"{text!r} is not a number") from error
 
 
+def _angle_power(unit: Any) -> float:
+    """Power of the angle in a unit: 1 for rpm, -1 for N m/rad, 0 for Hz."""
+    known = _registry().parse_unit_name
+    return sum(
+        float(str(power))
+        for name, power in pint.util.to_units_container(unit).items()
+        if any(base in _ANGLES for _, base, _ in known(name))
+    )
+
+
 def _same_kind(given: str, wanted: str) -> str:
     """Spell ``given`` for pint, reading 1/min and Hz as turns where a rotational speed is wanted."""
     if "rpm" in wanted:
@@ -134,8 +165,9 @@ def _same_kind(given: str, wanted: str) -> str:
 
 
 def _convert_text(text: str, unit: str) -> float:
-    match = _NUMBER_WITH_UNIT.match(text.translate(_SUPERSCRIPTS))
-    if match is None or len(text) > 60:
+    spelt = text.translate(_SUPERSCRIPTS).replace("**", "^") if len(text) <= _LONGEST_TEXT else ""
+    match = _NUMBER_WITH_UNIT.match(spelt)
+    if match is None:
         raise UnitError(f"{text.strip()[:60]!r} is not a number")
     number = parse_number(match["number"])
     given = match["unit"]
@@ -147,6 +179,8 @@ def _convert_text(text: str, unit: str) -> float:
     try:
         quantity = registry.Quantity(number, _same_kind(given, unit))
         wanted = registry.Unit(_pint_expression(unit if unit != "1" else ""))
+        if _angle_power(quantity.units) != _angle_power(wanted):
+            raise pint.DimensionalityError(quantity.units, wanted)
         return float(quantity.to(wanted).to_base_units().magnitude)
     except pint.DimensionalityError as error:
         raise UnitError(f"{given!r} does not measure the same thing as {unit!r}") from error
@@ -200,7 +234,7 @@ class Option(Declaration):
 
 @dataclass(frozen=True, init=False)
 class Quantity(Declaration):
-    """A number with a unit. ``unit`` is the customary one at the border; ``gt``, ``ge``, ``lt``, ``le`` and ``default`` are SI."""
+    """A number with a unit: ``unit`` is the customary one at the border, ``default`` and the four bounds are SI."""
 
     unit: str = "1"
     gt: float | None = None
@@ -249,17 +283,15 @@ class Quantity(Declaration):
         return from_si(value, self.unit)
 
     def validate(self, value: object, info: ValidationInfo) -> float:
-        """Validator behind every field: border value (or SI value, with ``context={"si": True}``) to SI within the range."""
-        is_si = (info.context or {}).get("si") and isinstance(value, (int, float))
+        """Validator of every field: border value (SI value, with ``context={"si": True}``) to SI within the range."""
+        is_si = (info.context or {}).get("si") and isinstance(value, (int, float)) and not isinstance(value, bool)
         try:
-            si = self.to_si(value) if not is_si else float(value)  # type: ignore[arg-type]
+            si = _SI.to_si(value) if is_si else self.to_si(value)
         except UnitError as error:
             raise PydanticCustomError(
                 "quantity", "{reason}; give a number in {unit}, or a number with its unit",
                 {"reason": error.message, "unit": self.shown_unit},
             ) from error  # fmt: skip
-        if not math.isfinite(si):
-            raise PydanticCustomError("quantity", "is not a finite number")
         self._check_range(si)
         return si
 
@@ -295,13 +327,16 @@ class Quantity(Declaration):
         bounds = {names[k]: self.from_si(v) for k in names if (v := getattr(self, k)) is not None}
         choices: list[JsonSchemaValue] = [
             {"type": "number", **bounds},
-            {"type": "string", "minLength": 1, "maxLength": 60},
+            {"type": "string", "minLength": 1, "maxLength": _LONGEST_TEXT},
         ]
         if schema["type"] == "nullable":
             choices.append({"type": "null"})
         found: JsonSchemaValue = {"anyOf": choices, "x-unit": self.unit}
         extra = {"x-symbol": self.symbol, "x-source": self.source, "description": self.about}
         return {**found, **{key: value for key, value in extra.items() if value}}
+
+
+_SI = Quantity("1")
 
 
 def declaration(info: FieldInfo) -> Declaration | None:
@@ -333,7 +368,7 @@ class Declared(BaseModel):
 
     @classmethod
     def si(cls, **values: Any) -> Self:
-        """Build from SI values under attribute names: for programs; what comes over the border uses ``model_validate``."""
+        """Build from SI values under attribute names, for programs; ``model_validate`` takes border values."""
         return cls.model_validate(values, by_alias=False, by_name=True, context={"si": True})
 
     @classmethod

@@ -227,7 +227,8 @@ class Sheet:
     ) -> Check:
         """Record a check of demanded <= permitted (SI values).
 
-        None on either side needs ``missing``: what is not known. A key that is taken gets a number. Raises RangeError for NaN, which would pass as holding.
+        None on either side needs ``missing``: what is not known. A key that is taken gets a number. Raises RangeError
+        for NaN, which would pass as holding.
         """
         if (demanded is None or permitted is None) and not missing:
             raise ValueError(f"check {key}: say what is missing")
