@@ -54,10 +54,19 @@ def test_critical_speed_and_buckling_by_mounting():
     assert check(sheet, "buckling").permitted == pytest.approx(16 * 508.7, rel=1e-3)
 
 
-def test_one_thrust_bearing_halves_what_two_give():
-    _, sheet = load({**LACHMAN, "mounting": "fixed_supported"}, ROUND_TRIP)
-    assert sheet.value("bearing_stiffness_total") == pytest.approx(1e9)
-    assert sheet.value("screw_tension_stiffness") == pytest.approx(763.5815477e6)  # E S / x
+@pytest.mark.parametrize(
+    ("mounting", "bearings", "shaft"),
+    [  # 4 E S / l with thrust at both ends, E S / x with thrust at one end: N/um
+        ("fixed_fixed", 2000, 1649.336143),
+        ("supported_supported", 2000, 1649.336143),
+        ("fixed_supported", 1000, 763.5815477),
+        ("fixed_free", 1000, 763.5815477),
+    ],
+)
+def test_thrust_at_one_or_both_ends_by_mounting(mounting: str, bearings: float, shaft: float):
+    _, sheet = load({**LACHMAN, "mounting": mounting}, ROUND_TRIP)
+    assert sheet.value("bearing_stiffness_total") == pytest.approx(bearings * 1e6)
+    assert sheet.value("screw_tension_stiffness") == pytest.approx(shaft * 1e6)
 
 
 @pytest.mark.parametrize(
