@@ -65,6 +65,38 @@ def load_catalog(
 
 
 @app.command()
+def size(
+    file: Annotated[Path, typer.Argument(help="JSON file of a sizing request, or of a saved project.")],
+    as_json: Annotated[bool, typer.Option("--json", help="Print the whole result as JSON.")] = False,
+) -> None:
+    """Calculate the axis (or all axes) of a file; exit code 1 when a check fails, 2 when an input cannot be used."""
+    from app.services import console
+    from app.services.errors import ServiceError
+
+    try:
+        with console.services(_settings().database_url) as parts:
+            result = console.size_file(parts.sizing, file)
+    except (ServiceError, OSError) as error:
+        typer.echo(console.refusal(error), err=True)
+        raise typer.Exit(2) from None
+    typer.echo(result.as_json() if as_json else result.as_text())
+    raise typer.Exit(1 if result.fails else 0)
+
+
+@app.command()
+def examples(
+    as_json: Annotated[bool, typer.Option("--json", help="Print every row of every example as JSON.")] = False,
+) -> None:
+    """Recompute the worked examples; exit code 1 when a number that must be met is not."""
+    from app.services import console
+
+    with console.services(_settings().database_url) as parts:
+        found = parts.examples.run_all()
+    typer.echo(console.examples_json(found) if as_json else console.examples_text(found))
+    raise typer.Exit(0 if all(example.met for example in found) else 1)
+
+
+@app.command()
 def serve(
     host: Annotated[str | None, typer.Option(help="Address to listen on, instead of DRIVEWRIGHT_HOST.")] = None,
     port: Annotated[int | None, typer.Option(help="Port to listen on, instead of DRIVEWRIGHT_PORT.")] = None,

@@ -4,8 +4,7 @@ import gzip
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import cache
-from importlib import import_module, resources
-from importlib.util import find_spec
+from importlib import resources
 
 from fastapi import FastAPI, Request, Response
 from starlette.middleware.gzip import GZipMiddleware
@@ -17,10 +16,10 @@ from app.web.api.documentation import install_openapi
 from app.web.api.router import router as api_router
 from app.web.errors import install_errors
 from app.web.middleware import Guard
+from app.web.pages import pages_router
 from app.web.state import Running
 
 STATIC = PROJECT_ROOT / "static"
-PAGES = "app.web.pages"
 
 
 def create_app(settings: Settings) -> FastAPI:
@@ -50,8 +49,7 @@ def create_app(settings: Settings) -> FastAPI:
     app.add_api_route("/static/plotly.min.js", plotly_script, include_in_schema=False)
     STATIC.mkdir(exist_ok=True)
     app.mount("/static", StaticFiles(directory=STATIC), name="static")
-    if find_spec(PAGES) is not None:
-        import_module(PAGES).install(app)
+    app.include_router(pages_router())
     install_openapi(app)
     return app
 

@@ -23,8 +23,8 @@ SCREW_AXIS: dict[str, Any] = {
         "kind": "servo",
         "motor": {
             "own": {
-                "rated_speed_rpm": 3000,
-                "max_speed_rpm": 4500,
+                "rated_speed_rpm": 4000,
+                "max_speed_rpm": 5000,
                 "stall_torque_nm": 30,
                 "rated_torque_nm": 25,
                 "peak_torque_nm": 90,

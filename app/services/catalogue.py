@@ -15,7 +15,7 @@ from sqlalchemy.orm import Session
 
 from app.catalog.repository import CatalogRepository
 from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
-from app.engine.selection import GearArrays, MotorArrays
+from app.engine.candidates import GearArrays, MotorArrays
 from app.services.errors import NotFoundError
 
 RECHECK_SECONDS = 2.0

@@ -132,6 +132,12 @@ class Example:
         return all(row.met for row in self.rows)
 
 
+def examples_folder() -> Path:
+    """Where the examples lie: beside ``app/`` in a checkout, else below the working directory."""
+    beside = Path(__file__).resolve().parents[2] / "examples"
+    return beside if beside.is_dir() else Path.cwd() / "examples"
+
+
 class ExampleService:
     """Finds and runs the examples of a folder."""
 

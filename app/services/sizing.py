@@ -19,7 +19,7 @@ from app.services.reading import engine_refusal
 from app.services.requests import MOTION_WORDS, SizingRequest, Typed, read_sizing
 from app.services.version import ENGINE_VERSION
 
-_WORST_FIRST = (Verdict.FAILS, Verdict.NOT_CHECKED, Verdict.TIGHT, Verdict.OK)
+_WORST_FIRST = (Verdict.FAILS, Verdict.TIGHT, Verdict.OK)
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class Sizing:
 
     @property
     def verdict(self) -> Verdict:
-        """The worst of all checks; ``not_checked`` where there is none."""
+        """The worst of all checks that could be made; ``not_checked`` where none could. ``counts`` tells the others."""
         found = self.counts
         return next((verdict for verdict in _WORST_FIRST if found[verdict]), Verdict.NOT_CHECKED)
 
@@ -120,7 +120,7 @@ class SizingService:
                     request.environment,
                     sheet,
                 )
-            best = _optimum(request, demand, parts, sheet)
+            best = _optimum(request, demand, parts, result, sheet)
         return Sizing(
             typed=typed, parts=parts, profile=demand.profile, load=demand.load, drive=result, optimum=best,
             sheet=sheet, headlines=tuple(_headlines(demand.load, sheet)),
@@ -161,8 +161,10 @@ class SizingService:
 
 def demand_of(request: SizingRequest, sheet: Sheet) -> Demand:
     """Solve the motion and compute the load cycle, each step and each unconfirmed default on ``sheet``."""
-    for name in ("mechanism", "motion", "environment", "drive"):
-        sheet.assume_defaults(getattr(request, name), f"{name}.")
+    for name in ("mechanism", "motion", "environment", "drive", "optimum"):
+        part = getattr(request, name)
+        if part is not None:
+            sheet.assume_defaults(part, f"{name}.")
     with located("motion"), sheet.section("Motion"):
         profile = request.motion.solve(sheet)
         if profile.kind != request.mechanism.motion_kind:
@@ -191,12 +193,13 @@ def refusals(raw: Any) -> Iterator[None]:
         raise engine_refusal(error, raw) from error
 
 
-def _optimum(request: SizingRequest, demand: Demand, parts: Parts, sheet: Sheet) -> OptimumResult | None:
+def _optimum(
+    request: SizingRequest, demand: Demand, parts: Parts, drive: ServoResult, sheet: Sheet
+) -> OptimumResult | None:
     if request.optimum is None:
         return None
-    rotor = (parts.motor.rotor_inertia or 0.0) if parts.motor else 0.0
-    gear = (parts.gear_unit.inertia or 0.0) if parts.gear_unit else 0.0
-    sheet.assume_defaults(request.optimum, "optimum.")
+    gear = parts.gear_unit
+    on_motor_shaft = (drive.rotor or 0.0) + request.drive.coupling_inertia + ((gear.inertia or 0.0) if gear else 0.0)
     with located("optimum"), sheet.section("Optimum for acceleration"):
         return optimum(
             request.mechanism,
@@ -205,9 +208,9 @@ def _optimum(request: SizingRequest, demand: Demand, parts: Parts, sheet: Sheet)
             request.environment,
             request.optimum,
             sheet,
-            drive_inertia=rotor + gear,
-            ratio=parts.gear_unit.ratio if parts.gear_unit else 1.0,
-            gear_efficiency=(parts.gear_unit.efficiency if parts.gear_unit else None) or 1.0,
+            drive_inertia=on_motor_shaft,
+            ratio=gear.ratio if gear else 1.0,
+            gear_efficiency=(gear.efficiency or 1.0) if gear else 1.0,
             peak_torque=parts.motor.peak_torque if parts.motor else None,
         )
 

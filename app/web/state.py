@@ -7,10 +7,10 @@ from sqlalchemy.orm import Session, sessionmaker
 
 from app.db.session import make_engine, session_factory
 from app.services.catalogue import CatalogueCache
-from app.services.examples import ExampleService
+from app.services.examples import ExampleService, examples_folder
 from app.services.selection import SelectionService
 from app.services.sizing import SizingService
-from app.settings import PROJECT_ROOT, Settings
+from app.settings import Settings
 from app.web.answers import AnswerCache
 
 
@@ -41,7 +41,7 @@ class Running:
             catalogue=catalogue,
             sizing=sizing,
             selection=SelectionService(catalogue, sizing),
-            examples=ExampleService(sizing, PROJECT_ROOT / "examples"),
+            examples=ExampleService(sizing, examples_folder()),
             answers=AnswerCache(),
         )
 

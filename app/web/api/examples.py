@@ -1,11 +1,11 @@
 """Worked examples, recomputed by the ordinary engine."""
 
-import math
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Path
 
-from app.services.examples import Example, ExampleFile, ExampleRow
+from app.services.examples import ExampleFile
+from app.services.results import example_dict
 from app.web.api.models import ExampleAnswer, ExampleSummary, Page
 from app.web.deps import Examples, Limit, Offset
 from app.web.errors import problems
@@ -27,20 +27,6 @@ def get_example(
 ) -> ExampleAnswer:
     """One worked example: its requests, and every number as printed, expected and computed."""
     return ExampleAnswer.model_validate(example_dict(examples.run(example_id)))
-
-
-def example_dict(example: Example) -> dict[str, Any]:
-    """The recomputed example as plain values."""
-    rows = [row_dict(row) for row in example.rows]
-    return {**_summary(example.file), "requests": example.file.requests, "rows": rows}
-
-
-def row_dict(row: ExampleRow) -> dict[str, Any]:
-    """One row as plain values."""
-    names = ("name", "symbol", "unit", "printed", "computed", "deviation", "tolerance", "status", "produced", "reason",
-             "note")  # fmt: skip
-    expected = None if math.isnan(row.expected) else row.expected
-    return {name: getattr(row, name) for name in names} | {"expected": expected}
 
 
 def _summary(file: ExampleFile) -> dict[str, str]:

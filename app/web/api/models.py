@@ -150,7 +150,7 @@ class SizingAnswer(Answer):
     engine_version: str
     catalogue: CatalogueAnswer
     request: dict[str, Any] = Field(description="The request as it was typed")
-    verdict: VerdictName = Field(description="The worst of all checks")
+    verdict: VerdictName = Field(description="The worst of all checks that could be made; see counts for the others")
     counts: dict[VerdictName, int]
     deciding_check: str | None = Field(description="Key of the check with the highest utilisation")
     headlines: list[HeadlineAnswer]
@@ -321,8 +321,8 @@ class ExampleRowAnswer(Answer):
     name: str
     symbol: str
     unit: str
-    printed: float | None
-    expected: float
+    printed: float | str | None
+    expected: float | None
     computed: float | None
     deviation: float | None = Field(description="Relative deviation of computed from expected")
     tolerance: float

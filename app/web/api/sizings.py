@@ -5,10 +5,10 @@ from starlette.concurrency import run_in_threadpool
 
 from app.services.reading import parse_json
 from app.services.requests import SizingRequest
+from app.services.results import sizing_json
 from app.web.answers import AnswerCache
 from app.web.api.documentation import json_body
 from app.web.api.models import SizingAnswer
-from app.web.api.results import sizing_json
 from app.web.deps import BodyBytes
 from app.web.errors import problems
 from app.web.state import Running

@@ -1,4 +1,5 @@
-"""Results as plain values for JSON, built lean: the shapes are those of ``models``, and a test holds them together."""
+"""Results as plain values for JSON, built lean: the shapes are those of
+``app.web.api.models``, and a test holds them together."""
 
 import math
 from typing import Any
@@ -10,6 +11,7 @@ from app.engine.cycle import LoadCycle
 from app.engine.products import Product
 from app.engine.quantity import from_si, si_factor
 from app.engine.sheet import Assumption, Check, Sheet, Step
+from app.services.examples import Example, ExampleRow
 from app.services.sizing import Parts, Sizing
 
 LISTED_VALUES = 12
@@ -117,3 +119,22 @@ def _plain(value: Any) -> Any:
         listed: list[Any] = flat[:LISTED_VALUES].tolist()
         return listed if flat.size <= LISTED_VALUES else [*listed, f"... {flat.size} values"]
     return value.item() if isinstance(value, np.generic) else value
+
+
+def example_dict(example: Example) -> dict[str, Any]:
+    """A worked example, recomputed."""
+    file = example.file
+    return {
+        "id": file.id, "title": file.title, "source": file.source, "summary": file.summary,
+        "requests": file.requests, "rows": [example_row_dict(row) for row in example.rows],
+    }  # fmt: skip
+
+
+def example_row_dict(row: ExampleRow) -> dict[str, Any]:
+    """One number of an example."""
+    return {
+        "name": row.name, "symbol": row.symbol, "unit": row.unit, "printed": row.printed,
+        "expected": finite(row.expected), "computed": finite(row.computed), "deviation": finite(row.deviation),
+        "tolerance": row.tolerance, "status": row.status, "produced": row.produced, "reason": row.reason,
+        "note": row.note,
+    }  # fmt: skip
