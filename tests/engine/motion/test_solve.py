@@ -179,12 +179,13 @@ REFUSED = [
     ),
     (
         {"distance": 1.0, "time": 2.0},
-        ("optimise", "distance and time do not determine the move: give a speed or an acceleration, or choose what shall "
-         "be least: the acceleration or the effective acceleration"),
+        ("optimise", "distance and time do not determine the move: give a speed or an acceleration, or choose what "
+         "shall be least: the acceleration or the effective acceleration"),
     ),
     (
         {"distance": 1.0, "acceleration": 2.0},
-        ("speed", "distance and acceleration do not determine the move: give a speed or a time, or choose the least time"),
+        ("speed", "distance and acceleration do not determine the move: give a speed or a time, or choose the "
+         "least time"),
     ),
     (
         {"distance": 1.0},
@@ -201,8 +202,8 @@ REFUSED = [
     ),
     (
         {**FULL, "optimise": "least_acceleration"},
-        ("optimise", "least acceleration is sought from a distance and a time, and no acceleration (a speed counts as its "
-         "limit); given: distance, time, speed and acceleration"),
+        ("optimise", "least acceleration is sought from a distance and a time, and no acceleration (a speed counts as "
+         "its limit); given: distance, time, speed and acceleration"),
     ),
 ]  # fmt: skip
 
