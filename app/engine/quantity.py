@@ -228,6 +228,8 @@ class Option(Declaration):
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         found = handler(schema)
+        bounds = {"minimum": self.ge, "maximum": self.le}
+        found = {**found, **{key: value for key, value in bounds.items() if value is not None}}
         extra = {"x-labels": self.labels, "x-symbol": self.symbol, "x-source": self.source, "description": self.about}
         return {**found, **{key: value for key, value in extra.items() if value}}
 
