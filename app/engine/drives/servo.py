@@ -12,7 +12,7 @@ from app.engine.drives.rules import LACHMAN_INERTIA_LIMIT, ServoRules, brake_nee
 from app.engine.drives.shaft import MotorShaft, record_inertias, record_speeds, record_torques
 from app.engine.drives.usual import check_usual
 from app.engine.environment import Environment
-from app.engine.formulas.gear import ratio_for_inertia_limit, ratio_for_speed
+from app.engine.formulas.gear import highest_load_speed, ratio_for_inertia_limit, ratio_for_speed
 from app.engine.gear import Transmission, check_gear_unit
 from app.engine.inverter import Currents, check_drive, record_currents
 from app.engine.mechanisms.base import Load
@@ -165,6 +165,7 @@ def _record_ratio_bounds(case: ServoCase, sheet: Sheet) -> None:
     speed = permitted_speed(case.motor, case.rules)
     if speed is not None and case.shaft.hull.max_speed > 0:
         sheet(ratio_for_speed, omega_max=speed, omega_L=case.shaft.hull.max_speed)
+        sheet(highest_load_speed, omega_max=speed, i=case.shaft.transmission.ratio)
 
 
 def _currents(case: ServoCase, sheet: Sheet) -> Currents:

@@ -29,6 +29,18 @@ def ratio_for_speed(omega_max: RadPerSecond, omega_L: RadPerSecond) -> One:
     return omega_max / omega_L
 
 
+@formula(symbol="n_L,max", unit="rpm", source="derived: definition of the ratio")
+def highest_load_speed(omega_max: RadPerSecond, i: One) -> RadPerSecond:
+    """Highest speed of the output shaft at the permitted motor speed.
+
+    ``omega_max`` permitted speed of the motor, ``i`` ratio motor / output shaft.
+
+    >>> highest_load_speed(300.0, 15.0)
+    20.0
+    """
+    return omega_max / i
+
+
 @formula(symbol="T_em", unit="N m", source="derived: brake torque through the ratio, no loss taken")
 def emergency_torque_of_brake(M_B: NewtonMetre, i: One) -> NewtonMetre:
     """Torque at the output of a gear unit when the motor brake closes while the axis moves.
