@@ -22,7 +22,7 @@ from app.engine.formulas.motion import triangle_speed
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces, viscous_friction
 from app.engine.formulas.screw import lead_angle, screw_friction_by_diameter, thread_efficiency
 from app.engine.mechanisms.base import Load, Mechanism, Statics
-from app.engine.mechanisms.guided_axis import GuidedAxis, refused
+from app.engine.mechanisms.guided_axis import GuidedAxis, refused, without_zeros
 from app.engine.mechanisms.phases import record_phases
 from app.engine.mechanisms.screw_shaft import ScrewShaft
 from app.engine.motion.profile import FloatArray, MotionProfile
@@ -278,7 +278,7 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
             for load in loads
         ]
         worst = max(parts, key=lambda forces: abs(screw.torque(sum(forces), v, 0.0)))
-        force = sheet(sum_of_forces, key=f"{key}_force", label="Force on the nut", F_k=worst)
+        force = sheet(sum_of_forces, key=f"{key}_force", label="Force on the nut", F_k=without_zeros(worst))
         return screw.record(sheet, key, label, force, v, 0.0)
 
     def _working(
@@ -327,7 +327,7 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
             )  # fmt: skip
             parts = [self._record_share(sheet, screw, alpha_s, *share) for share in shares]
             label = "Torque that accelerates all masses"
-            sheet(sum_of_torques, key="acceleration_torque_total", symbol="M_a", label=label, M_k=parts)
+            sheet(sum_of_torques, key="acceleration_torque_total", symbol="M_a", label=label, M_k=without_zeros(parts))
 
     def _record_share(
         self, sheet: Sheet, screw: _Screw, alpha_s: float, key: str, label: str, J: float, lossy: bool
@@ -357,7 +357,7 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
         if a:
             parts.insert(0, sheet(acceleration_force, key=f"{key}_inertia_force", m=float(self.moved_mass(load)), a=a))
         label = "Force on the nut: inertia, weight, friction, process"
-        return sheet(sum_of_forces, key=f"{key}_force", label=label, F_k=parts)
+        return sheet(sum_of_forces, key=f"{key}_force", label=label, F_k=without_zeros(parts))
 
     def _record_segment(
         self, sheet: Sheet, screw: _Screw, motion: MotionProfile, k: int, environment: Environment, key: str

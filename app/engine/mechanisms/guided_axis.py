@@ -238,7 +238,7 @@ class GuidedAxis(Declared):
             )  # fmt: skip
             parts.append(-hanging)
         constant = sheet(
-            sum_of_forces, key="gravity_force", symbol="F_g", F_k=parts,
+            sum_of_forces, key="gravity_force", symbol="F_g", F_k=without_zeros(parts),
             label="Constant force downhill: weight less counterweight and counterbalance, external force",
         )  # fmt: skip
         return constant, self._record_friction(sheet, payload, g)
@@ -256,7 +256,12 @@ class GuidedAxis(Declared):
             case "per_mass":
                 parts.insert(0, sheet(specific_guide_friction, k_t=self.specific_friction, m=guided + hanging))
         label = "Friction of all guided bodies, without the viscous part"
-        return sheet(sum_of_forces, key="friction_force", symbol="F_T", label=label, F_k=parts)
+        return sheet(sum_of_forces, key="friction_force", symbol="F_T", label=label, F_k=without_zeros(parts))
+
+
+def without_zeros(parts: list[float]) -> list[float]:
+    """The terms of a sum as the sheet shows them: those that are zero are left out, one at least stays."""
+    return [part for part in parts if part] or [0.0]
 
 
 def split(motion: MotionProfile, parts: np.ndarray[Any, np.dtype[np.int_]]) -> MotionProfile:

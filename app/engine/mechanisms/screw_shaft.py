@@ -27,7 +27,7 @@ from app.engine.formulas.stiffness import (
     stiffness_held_at_one_end,
     torsion_stiffness_at_nut,
 )
-from app.engine.mechanisms.guided_axis import refused
+from app.engine.mechanisms.guided_axis import refused, without_zeros
 from app.engine.quantity import Declaration, Declared, Option, Quantity
 from app.engine.sheet import Sheet
 
@@ -307,7 +307,7 @@ class ScrewShaft(Declared):
             )
         rotating = sheet(
             sum_of_inertias, key="rotating_inertia", symbol="J_rot", label="Inertia of screw and coupling",
-            J_k=[J_s, self.coupling_inertia],
+            J_k=without_zeros([J_s, self.coupling_inertia]),
         )  # fmt: skip
         J_m = sheet(
             linear_mass_inertia, key="mass_inertia_on_screw", symbol="J_m", m=moved_mass, A=A,
