@@ -242,17 +242,18 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
     ) -> Statics:
         rapid = motion.max_speed
         loads = sorted({float(motion.payload.min()), float(motion.payload.max())})
-        with sheet.section("Torque without acceleration"):
+        with sheet.section("Friction without acceleration"):
             friction_torque = self._record_friction_torque(sheet, screw, friction)
-            steady = {
-                (key, label): self._steady(sheet, screw, environment, loads, v, key, label)
-                for key, label, v in (
-                    ("rest_torque_upward", "Steady torque in positive direction (up)", rapid),
-                    ("rest_torque_downward", "Steady torque in negative direction (down)", -rapid),
-                    ("holding_torque_at_screw", "Holding torque without the help of friction", 0.0),
-                )
-            }
-            forward, backward, holding = steady.values()
+        steady = []
+        for key, title, label, v in (
+            ("rest_torque_upward", "Constant speed in positive direction (up)", "Steady torque, up", rapid),
+            ("rest_torque_downward", "Constant speed in negative direction (down)", "Steady torque, down", -rapid),
+            ("holding_torque_at_screw", "Standstill", "Holding torque without the help of friction", 0.0),
+        ):
+            with sheet.section(title):
+                steady.append(self._steady(sheet, screw, environment, loads, v, key, label))
+        forward, backward, holding = steady
+        with sheet.section("Constant speed with process force"):
             working, working_speed = self._working(sheet, screw, motion, environment)
         return Statics(
             friction=friction_torque, forward=forward, backward=backward, holding=holding, rapid_speed=rapid / screw.A,
@@ -303,7 +304,7 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
     def _decide_self_locking(self, sheet: Sheet, screw: _Screw, constant: float, friction: float) -> None:
         if constant == 0:
             return
-        with sheet.section("Torque without acceleration"):
+        with sheet.section("Standstill"):
             if self.thread_friction is not None and np.tan(sheet.value("lead_angle")) <= self.thread_friction:
                 sheet.decide("The screw is self-locking", "its lead angle is below the friction angle of the thread")
             elif regenerative_factor(screw.eta, screw.model) == 0:
