@@ -16,6 +16,8 @@ from app.engine.motion.shape import MoveShape, Ramp
 
 JERK_STEPS = 16
 """Full steps of a jerk phase."""
+_SHARPEST = 1e-7
+"""Shortest jerk phase that is cut into steps, as a share of the ramp; rounding would blur a shorter one."""
 
 Hold = Literal["motor", "brake"]
 
@@ -44,7 +46,7 @@ def ramp_steps(ramp: Ramp, steps: int = JERK_STEPS) -> list[tuple[float, float]]
     >>> ramp_steps(Ramp(time=2.0, acceleration=1.0))
     [(2.0, 1.0)]
     """
-    if ramp.jerk_time <= 0:
+    if ramp.jerk_time <= _SHARPEST * ramp.time:
         return [(ramp.time, ramp.acceleration)]
     width = ramp.jerk_time / (steps + 0.5)
     jerk = ramp.acceleration / ramp.jerk_time

@@ -195,8 +195,9 @@ class _Solver:
         smoothing, notes = self.given.smoothing, self.notes
         if smoothing.jerk is None:
             return notes(formulas.triangle_speed, "speed", s=s, a=smoothing.mean(a), a_d=smoothing.mean(d))
-        high = formulas.triangle_speed(s, a, d)
-        v = root(lambda v: v * sum(self._ramps(v, a, d)) / 2 - s, high * 1e-6, high)
+        # A ramp takes at least v/a and 2*sqrt(v/j), and at most their sum: that brackets the speed within a factor of 2.
+        high = min(float(formulas.triangle_speed(s, a, d)), (s * s * smoothing.jerk / 4) ** (1 / 3))
+        v = root(lambda v: v * sum(self._ramps(v, a, d)) / 2 - s, high / 2, high)
         t_A, t_D = self._ramps(v, a, d)
         self._by_iteration("Peak speed")
         return notes(formulas.least_acceleration_speed, "speed", s=s, t=t_A + t_D)
@@ -206,8 +207,8 @@ class _Solver:
         smoothing = self.given.smoothing
         if smoothing.jerk is None:
             return float(formulas.triangle_speed_in_time(t, smoothing.mean(a), smoothing.mean(d)))
-        high = float(formulas.triangle_speed_in_time(t, a, d))
-        return root(lambda v: sum(self._ramps(v, a, d)) - t, high * 1e-9, high)
+        high = min(float(formulas.triangle_speed_in_time(t, a, d)), t * t * smoothing.jerk / 16)
+        return root(lambda v: sum(self._ramps(v, a, d)) - t, high / 4, high)
 
     def _speed_in_time(self, s: float, t: float, a: float) -> float:
         """Speed that covers the distance in the time: the smaller root."""

@@ -192,3 +192,14 @@ def test_a_ramp_without_jerk_is_one_step():
     segments.ramp(Ramp(2.0, 1.5), 0.0, 3.0, -1.0, Burden(), "run-up")
     found = segments.profile()
     assert (found.speed_start.tolist(), found.speed_end.tolist()) == ([-0.0], [-3.0])
+
+
+def test_a_very_weak_jerk_still_gives_the_right_time():
+    # jerk 1e-6: no limit is reached, four phases of 0.5 s, v = j t^2 / 16
+    shape = solve_move(Given(time=2.0, speed=1.0, acceleration=1e5, smoothing=Smoothing(jerk=1e-6)), Notes(Sheet()))
+    assert (shape.time, shape.speed) == pytest.approx((2.0, 0.25e-6))
+
+
+def test_a_very_sharp_jerk_is_not_blurred_by_rounding():
+    course = profile(solved(1204.0, 2.0, 1e-5, Smoothing(jerk=1e6)))
+    assert course.acceleration.max() == pytest.approx(1e-5, rel=1e-6)

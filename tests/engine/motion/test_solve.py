@@ -115,6 +115,8 @@ def effective_square(shape: MoveShape, smoothing: Smoothing) -> float:
 def test_no_other_speed_is_better(choice: str, braking: dict[str, float], smoothing: Smoothing):
     known = {"distance": 1.0, "time": 2.0, "smoothing": smoothing, **braking}
     best = solved(**known, optimise=choice)
+    assert best.time == pytest.approx(2.0, rel=1e-9)
+    assert best.speed * (best.up.time / 2 + best.constant_time + best.down.time / 2) == pytest.approx(1.0, rel=1e-9)
 
     def cost(shape: MoveShape) -> float:
         return shape.up.acceleration if choice == "least_acceleration" else effective_square(shape, smoothing)
