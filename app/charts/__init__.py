@@ -1,0 +1,12 @@
+"""Charts: a result becomes a Plotly figure as a plain dict, and the same figure an SVG for pages without scripts.
+
+Every trace carries in ``meta`` the name of its colour in the page's stylesheet (``series-1`` ...), so that the page can
+follow the reader's light or dark theme; the colours written into the figure are those of the light theme.
+"""
+
+from app.charts.cycle import cycle_figure
+from app.charts.figure import Figure
+from app.charts.svg import svg
+from app.charts.torque_speed import torque_speed_figure
+
+__all__ = ["Figure", "cycle_figure", "svg", "torque_speed_figure"]
