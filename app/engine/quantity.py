@@ -230,7 +230,8 @@ class Option(Declaration):
         found = handler(schema)
         bounds = {"minimum": self.ge, "maximum": self.le}
         found = {**found, **{key: value for key, value in bounds.items() if value is not None}}
-        extra = {"x-labels": self.labels, "x-symbol": self.symbol, "x-source": self.source, "description": self.about}
+        labels = {"" if choice is None else str(choice): words for choice, words in self.labels.items()}
+        extra = {"x-labels": labels, "x-symbol": self.symbol, "x-source": self.source, "description": self.about}
         return {**found, **{key: value for key, value in extra.items() if value}}
 
 
