@@ -7,15 +7,15 @@ application made, not to the module.
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from sqlalchemy.orm import Session
 
+from app.catalog.filters import ProductFilter
 from app.catalog.repository import CatalogRepository
-from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
 from app.engine.candidates import GearArrays, MotorArrays
+from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
 from app.services.errors import NotFoundError
 
 RECHECK_SECONDS = 2.0
@@ -92,6 +92,17 @@ class CatalogueCache:
                 self._checked = self._clock()
             return self._snapshot
 
+    def matching(self, motors: ProductFilter, gear_units: ProductFilter) -> "CatalogueSnapshot":
+        """A snapshot of only those motors and gear units that the filters admit."""
+        whole = self.snapshot()
+        with self._sessions() as session:
+            repository = CatalogRepository(session)
+            return replace(
+                whole,
+                motors=tuple(repository.servo_motors(motors)),
+                gear_units=tuple(repository.servo_gear_units(gear_units)),
+            )
+
     def _newest(self, known: CatalogueSnapshot | None) -> CatalogueSnapshot:
         with self._sessions() as session:
             repository = CatalogRepository(session)
@@ -110,6 +121,3 @@ class CatalogueCache:
 def edition_lines(snapshot: CatalogueSnapshot) -> list[dict[str, str]]:
     """Editions in use, as they are stored with a saved project."""
     return [{"key": key, "citation": citation} for key, citation in snapshot.editions.items()]
-
-
-Row = dict[str, Any]

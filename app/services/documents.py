@@ -6,7 +6,7 @@ once can be imported for ever.
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Final, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
@@ -14,8 +14,8 @@ from app.services.errors import FieldError, InvalidInputError
 from app.services.reading import read
 from app.services.requests import read_sizing
 
-FORMAT = "drivewright-project"
-VERSION = 1
+FORMAT: Final = "drivewright-project"
+VERSION: Final = 1
 
 Title = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=200)]
 

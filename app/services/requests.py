@@ -17,7 +17,7 @@ from app.engine.mechanisms import mechanisms
 from app.engine.mechanisms.base import Mechanism
 from app.engine.motion import Motion
 from app.engine.optimum import OptimumInput
-from app.engine.quantity import Declared, Option
+from app.engine.quantity import Declared, Option, Quantity
 from app.services.reading import read
 
 if TYPE_CHECKING:
@@ -115,14 +115,42 @@ Ranking = Literal["utilisation", "mass", "rated_torque", "inertia_match"]
 
 
 class SelectionFilter(Declared):
-    """Which catalogue products are admitted; an empty list admits all."""
+    """Which catalogue products are admitted; an empty list admits all.
 
-    manufacturers: Annotated[Texts, Option(default=(), about="makers of motors that are admitted")]
-    series: Annotated[Texts, Option(default=(), about="series of motors that are admitted")]
-    gear_manufacturers: Annotated[Texts, Option(default=(), about="makers of gear units that are admitted")]
-    gear_series: Annotated[Texts, Option(default=(), about="series of gear units that are admitted")]
-    direct: Annotated[bool, Option(default=True, about="admit motors without gear unit")]
-    geared: Annotated[bool, Option(default=True, about="admit motors with gear unit")]
+    A product that does not state what a limit asks for (its voltage, say) is not admitted by that limit.
+    """
+
+    manufacturers: Annotated[Texts, Option(default=(), about="makers of motors that are admitted", group="Motors")]
+    series: Annotated[Texts, Option(default=(), about="series of motors that are admitted", group="Motors")]
+    voltage: Annotated[
+        float | None,
+        Quantity("V", symbol="U", gt=0, le=2000, default=None, about="supply voltage of the motor", group="Motors"),
+    ]
+    direct: Annotated[bool, Option(default=True, about="admit motors without gear unit", group="Gear units")]
+    geared: Annotated[bool, Option(default=True, about="admit motors with gear unit", group="Gear units")]
+    gear_manufacturers: Annotated[
+        Texts, Option(default=(), about="makers of gear units that are admitted", group="Gear units")
+    ]
+    gear_series: Annotated[
+        Texts, Option(default=(), about="series of gear units that are admitted", group="Gear units")
+    ]
+    max_ratio: Annotated[
+        float | None,
+        Quantity("1", symbol="i_max", ge=1, le=1e4, default=None, about="highest ratio", group="Gear units"),
+    ]
+    max_backlash: Annotated[
+        float | None,
+        Quantity("arcmin", symbol="phi_max", gt=0, le=1, default=None, about="largest backlash", group="Gear units"),
+    ]
+
+    @model_validator(mode="after")
+    def _something_is_left(self) -> "SelectionFilter":
+        if not self.direct and not self.geared:
+            problem = PydanticCustomError("filter", "admit motors with gear unit, without, or both")
+            raise ValidationError.from_exception_data(
+                "filters", [InitErrorDetails(type=problem, loc=("geared",), input=False)]
+            )
+        return self
 
 
 class SelectionRequest(SizingRequest):

@@ -12,6 +12,7 @@ from app.engine.products import Product
 from app.engine.quantity import from_si, si_factor
 from app.engine.sheet import Assumption, Check, Sheet, Step
 from app.services.examples import Example, ExampleRow
+from app.services.selection import Explanation, RankedCandidate, SelectionOutcome
 from app.services.sizing import Parts, Sizing
 
 LISTED_VALUES = 12
@@ -37,6 +38,46 @@ def sizing_json(sizing: Sizing) -> bytes:
         "checks": [check_dict(check) for check in sizing.sheet.checks],
         **_sheet_dict(sizing.sheet),
         "load_cycle": load_cycle_dict(sizing.load.cycle),
+    })  # fmt: skip
+
+
+def selection_json(outcome: SelectionOutcome) -> bytes:
+    """The answer to a selection."""
+    found = outcome.selection
+    return to_json({
+        "items": [_candidate_dict(ranked) for ranked in outcome.candidates],
+        "total": found.admitted, "limit": outcome.request.limit, "offset": outcome.request.offset,
+        "evaluated": found.evaluated, "admitted": found.admitted, "rejected": outcome.rejected,
+        "rejected_by": found.rejected, "ranking": outcome.request.ranking,
+        "catalogue": {"version": outcome.catalogue_version, "editions": dict(outcome.editions)},
+        "engine_version": outcome.engine_version,
+    })  # fmt: skip
+
+
+def _candidate_dict(ranked: RankedCandidate) -> dict[str, Any]:
+    candidate = ranked.candidate
+    return {
+        "rank": ranked.rank, "motor": part_dict(ranked.motor), "gear_unit": part_dict(ranked.gear_unit),
+        "ratio": ranked.gear_unit.ratio if ranked.gear_unit else 1.0,
+        "utilisation": finite(candidate.utilisation), "deciding_check": candidate.deciding,
+        "mass_kg": finite(candidate.mass), "rated_torque_nm": finite(candidate.rated_torque),
+        "inertia_ratio": finite(candidate.inertia_ratio),
+        "utilisations": {key: finite(used) for key, used in candidate.utilisations.items()},
+        "not_checked": list(candidate.not_checked),
+    }  # fmt: skip
+
+
+def explanation_json(found: Explanation) -> bytes:
+    """The answer to the question why a candidate was admitted or rejected."""
+    return to_json({
+        "motor": part_dict(found.parts.motor), "gear_unit": part_dict(found.parts.gear_unit),
+        "verdict": str(found.drive.verdict),
+        "checks": [check_dict(check) for check in found.drive.checks],
+        "servo_drives": [
+            {"servo_drive": part_dict(one.drive), "peak_current": finite(one.peak),
+             "continuous_current": finite(one.continuous), "verdict": str(one.verdict)}
+            for one in found.suggestions
+        ],
     })  # fmt: skip
 
 

@@ -185,7 +185,7 @@ class SelectionAnswer(Page[CandidateAnswer]):
     evaluated: int
     admitted: int
     rejected: int
-    rejected_by: dict[str, int] = Field(description="How many candidates fail which check worst")
+    rejected_by: dict[str, int] = Field(description="The rejected ones by the first check that fails")
     ranking: str
     catalogue: CatalogueAnswer
     engine_version: str
@@ -198,6 +198,15 @@ class ExplanationRequest(SelectionRequest):
     gear_unit_id: Annotated[str | None, Field(max_length=200, description="Gear unit; null: direct")] = None
 
 
+class DriveSuggestionAnswer(Answer):
+    """A servo drive that carries the currents of a motor."""
+
+    servo_drive: PartAnswer
+    peak_current: float | None = Field(description="Utilisation of its peak current")
+    continuous_current: float | None = Field(description="Utilisation of its continuous current")
+    verdict: VerdictName
+
+
 class ExplanationAnswer(Answer):
     """Every check of one candidate: why it was admitted or rejected."""
 
@@ -205,6 +214,7 @@ class ExplanationAnswer(Answer):
     gear_unit: PartAnswer | None
     verdict: VerdictName
     checks: list[CheckAnswer]
+    servo_drives: list[DriveSuggestionAnswer] = Field(description="Servo drives that fit, closest fit first")
 
 
 # Catalogue -----------------------------------------------------------------------------------------------------------
