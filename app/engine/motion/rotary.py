@@ -16,7 +16,6 @@ from app.engine.formula import Formula, FormulaBody
 SYMBOLS: Mapping[str, str] = {
     "s": "phi", "v": "omega", "a": "alpha_s", "a_d": "alpha_d", "j": "j_phi",
     "s_A": "phi_A", "s_D": "phi_D", "s_max": "phi_max", "v_m": "omega_m", "a_m": "alpha_m", "a_r": "alpha_r",
-    "r_a": "r_alpha",
 }  # fmt: skip
 """Symbol of rotation for each symbol of straight motion that has another."""
 UNITS: Mapping[str, str] = {"m": "rad", "m/s": "rad/s", "m/s2": "rad/s2", "m/s3": "rad/s3"}

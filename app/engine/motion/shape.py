@@ -104,13 +104,13 @@ def root(function: Callable[[float], float], low: float, high: float) -> float:
     return (low + high) / 2
 
 
-def minimum_of(function: Callable[[float], float], low: float, high: float, points: int = 60) -> float:
+def minimum_of(function: Callable[[float], float], low: float, high: float, points: int = 24) -> float:
     """Where a function with one minimum (infinite where it is not defined) is smallest: grid, then golden section."""
     step = (high - low) / points
     best = min((low + index * step for index in range(1, points + 1)), key=function)
     low, high = max(best - step, low), min(best + step, high)
     ratio = (5**0.5 - 1) / 2
-    for _ in range(60):
+    for _ in range(40):
         left, right = high - ratio * (high - low), low + ratio * (high - low)
         if function(left) <= function(right):
             high = right

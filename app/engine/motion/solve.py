@@ -195,7 +195,7 @@ class _Solver:
         smoothing, notes = self.given.smoothing, self.notes
         if smoothing.jerk is None:
             return notes(formulas.triangle_speed, "speed", s=s, a=smoothing.mean(a), a_d=smoothing.mean(d))
-        # A ramp takes at least v/a and 2*sqrt(v/j), and at most their sum: that brackets the speed within a factor of 2.
+        # A ramp takes at least v/a and 2*sqrt(v/j), and at most their sum: that brackets the speed.
         high = min(float(formulas.triangle_speed(s, a, d)), (s * s * smoothing.jerk / 4) ** (1 / 3))
         v = root(lambda v: v * sum(self._ramps(v, a, d)) / 2 - s, high / 2, high)
         t_A, t_D = self._ramps(v, a, d)
