@@ -18,6 +18,7 @@ from app.web.errors import install_errors
 from app.web.middleware import Guard
 from app.web.pages import pages_router
 from app.web.state import Running
+from app.web.templating import Templates, english, problem_page
 
 STATIC = PROJECT_ROOT / "static"
 
@@ -48,6 +49,8 @@ def create_app(settings: Settings) -> FastAPI:
     app.add_api_route("/healthz", health, include_in_schema=False)
     app.add_api_route("/static/plotly.min.js", plotly_script, include_in_schema=False)
     STATIC.mkdir(exist_ok=True)
+    app.state.templates = Templates(english, {"en": "English"})
+    app.state.problem_page = problem_page
     app.mount("/static", StaticFiles(directory=STATIC), name="static")
     app.include_router(pages_router())
     install_openapi(app)

@@ -1,16 +1,20 @@
 """Rendering of the pages: one Jinja environment, texts in the reader's language, contexts as dataclasses."""
 
 import dataclasses
+import gettext
 from collections.abc import Callable, Mapping
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from fastapi import Request
 from fastapi.responses import HTMLResponse
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup, escape
 
+from app.reports import mathml
+from app.reports.numbers import unit_text
 from app.services.version import ENGINE_VERSION
 from app.settings import PROJECT_ROOT
+from app.web.errors import Problem
 
 Translate = Callable[[str], str]
 
@@ -25,6 +29,24 @@ class Translations(Protocol):
         """The text for a number of things."""
 
 
+class Caption(NamedTuple):
+    """What an input is, taken apart for a form."""
+
+    label: str
+    hint: str
+
+
+def caption(text: str) -> Caption:
+    """Divide the meaning of an input at the first colon or semicolon: a short label, and what explains it.
+
+    >>> caption("lead: travel per revolution")
+    Caption(label='Lead', hint='travel per revolution')
+    """
+    places = [place for place in (text.find(": "), text.find("; ")) if place > 0]
+    cut = min(places, default=len(text))
+    return Caption(text[:1].upper() + text[1:cut], text[cut + 1 :].strip())
+
+
 def make_environment() -> Environment:
     """The environment of all templates: everything escaped, an unknown name is an error, gettext built in."""
     environment = Environment(
@@ -36,6 +58,7 @@ def make_environment() -> Environment:
         extensions=["jinja2.ext.i18n", "jinja2.ext.do"],
     )
     environment.globals["engine_version"] = ENGINE_VERSION
+    environment.filters.update(caption=caption, symbol=mathml.symbol, unit=unit_text)
     return environment
 
 
@@ -82,3 +105,36 @@ class Templates:
         return HTMLResponse(
             self.render(request, template, context), status_code, headers={"Vary": "Cookie, Accept-Language"}
         )
+
+
+def english(request: Request) -> tuple[str, Translations]:
+    """The language of the source texts, for everybody."""
+    return "en", gettext.NullTranslations()
+
+
+def templates_of(request: Request) -> Templates:
+    """The templates of the running application."""
+    found: Templates = request.app.state.templates
+    return found
+
+
+def page(request: Request, template: str, context: object, status_code: int = 200) -> HTMLResponse:
+    """Render a page of the running application."""
+    return templates_of(request).page(request, template, context, status_code)
+
+
+def translator(request: Request) -> Translate:
+    """Turns the English texts of engine and services into the reader's language."""
+    return templates_of(request).translations(request).gettext
+
+
+@dataclasses.dataclass(frozen=True)
+class ErrorPage:
+    """Context of ``error.html``."""
+
+    problem: Problem
+
+
+def problem_page(request: Request, problem: Problem) -> HTMLResponse:
+    """A problem as a page; installed as ``app.state.problem_page``."""
+    return page(request, "error.html", ErrorPage(problem), problem.status)
