@@ -71,8 +71,6 @@ def _check_continuous(case: ServoCase, sheet: Sheet) -> None:
     for key, limit_key, speed, label in rows:
         motor_speed = float(speed_before_ratio(speed, ratio))
         limit = case.limits.record_continuous(sheet, motor_speed, key=limit_key, label=label)
-        if limit is None and speed == 0:
-            limit = case.limits.stall_torque
         if limit is not None:
             limit = sheet(torque_with_reserve, key=f"permitted_{limit_key}", symbol="M_perm", M=limit,
                           k_M=1 + case.rules.continuous_tolerance, label="Permitted, tolerance included")  # fmt: skip

@@ -11,13 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from app.engine.cycle import FloatArray
+from app.engine.cycle import BoolArray, FloatArray
 from app.engine.formulas.servo import continuous_torque, torque_between_points
 from app.engine.products import ServoMotor
 from app.engine.sheet import Sheet
 
 Points = tuple[tuple[float, float], ...]
 _CHART_POINTS = 24
+_ROWS_AT_ONCE = 32
+"""Motors evaluated together: their intermediate results stay in the cache."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +95,7 @@ class ServoLimits:
             return sheet(continuous_torque, key=key, label=label, M_0=stall, M_N=rated, n_N=rated_speed, n=n)
         if self.motor.continuous_curve:
             return _record_point(sheet, self.motor.continuous_curve, speed, key=key, symbol="M_S1", label=label)
-        return None
+        return self.stall_torque if speed == 0 else None
 
     def record_peak(self, sheet: Sheet, speed: float, *, key: str, label: str) -> None:
         """Put the peak torque at one speed on the sheet where it is read from a curve."""
@@ -140,21 +142,44 @@ class ServoLimits:
         return (0.0, self.flat_peak), (self.max_speed, self.flat_peak)
 
 
-def continuous_table(limits: Sequence[ServoLimits], speeds: FloatArray) -> FloatArray:
-    """S1 torque of every motor at every speed, shape (motors, speeds); NaN where a motor's curve is not known."""
-    found: FloatArray = np.full((len(limits), speeds.size), np.nan)
-    lines = [
-        (row, limit.two_points, limit.max_speed) for row, limit in enumerate(limits) if limit.two_points is not None
-    ]
-    if lines:
-        rows = [row for row, _, _ in lines]
-        stall, rated, rated_speed = (np.array([points[k] for _, points, _ in lines])[:, None] for k in range(3))
-        ends = np.array([end for _, _, end in lines])[:, None]
-        found[rows] = continuous_torque(stall, rated, rated_speed, n=np.minimum(speeds, ends))
-    for row, limit in enumerate(limits):
-        if limit.motor.continuous_curve:
-            found[row] = limit.continuous(speeds)
-    return found
+@dataclass(frozen=True)
+class ContinuousLimits:
+    """The S1 curves of many motors at once, by the same formula as for one; arrays have shape (motors,)."""
+
+    limits: tuple[ServoLimits, ...]
+    points: FloatArray
+    """M_0, M_N, n_N and last speed of the curves built from two points, NaN for the others; shape (4, motors)"""
+    stall: FloatArray
+    """Continuous torque at standstill, NaN where it is not known"""
+
+    @classmethod
+    def of(cls, limits: Sequence[ServoLimits]) -> "ContinuousLimits":
+        """Collect the curves of ``limits``."""
+        points: FloatArray = np.full((4, len(limits)), np.nan)
+        for row, limit in enumerate(limits):
+            if limit.two_points is not None and limit.max_speed is not None:
+                points[:, row] = (*limit.two_points, limit.max_speed)
+        stall = [np.nan if limit.stall_torque is None else limit.stall_torque for limit in limits]
+        return cls(tuple(limits), points, np.array(stall, dtype=float))
+
+    @cached_property
+    def unknown(self) -> BoolArray:
+        """Where the curve is not known."""
+        return np.array([bool(limit.continuous_missing) for limit in self.limits], dtype=bool)
+
+    def table(self, speeds: FloatArray) -> FloatArray:
+        """S1 torque of every motor at every speed, shape (motors, speeds); NaN where it is not known."""
+        found: FloatArray = np.empty((len(self.limits), speeds.size))
+        for top in range(0, len(found), _ROWS_AT_ONCE):
+            stall, rated, rated_speed, end = (row[top : top + _ROWS_AT_ONCE, None] for row in self.points)
+            found[top : top + _ROWS_AT_ONCE] = continuous_torque(stall, rated, rated_speed, n=np.minimum(speeds, end))
+        for row, limit in enumerate(self.limits):
+            if limit.motor.continuous_curve:
+                found[row] = limit.continuous(speeds)
+        still = np.flatnonzero(speeds == 0)
+        if still.size:
+            found[:, still] = np.where(np.isnan(found[:, still]), self.stall[:, None], found[:, still])
+        return found
 
 
 def _interpolated(points: Points, speed: Any) -> Any:
