@@ -32,13 +32,19 @@ def _settings() -> Settings:
         raise typer.Exit(2) from None
 
 
-@app.command()
-def migrate() -> None:
-    """Create the database or bring it up to date."""
+def _migrated() -> Settings:
+    """The settings, with their database brought up to date: a command may be the first one ever run."""
     settings = _settings()
     from app.db.migrate import upgrade
 
     upgrade(settings.database_url)
+    return settings
+
+
+@app.command()
+def migrate() -> None:
+    """Create the database or bring it up to date."""
+    _migrated()
 
 
 @app.command("load-catalog")
@@ -49,11 +55,9 @@ def load_catalog(
 ) -> None:
     """Read a folder of catalogue editions into the database; exit code 1 when a file is refused (nothing is loaded)."""
     from app.catalog import load
-    from app.db.migrate import upgrade
     from app.db.session import make_engine
 
-    settings = _settings()
-    upgrade(settings.database_url)
+    settings = _migrated()
     engine = make_engine(settings.database_url)
     try:
         report = load.load_catalog(engine, directory or settings.catalog_dir)
@@ -74,7 +78,7 @@ def size(
     from app.services.errors import ServiceError
 
     try:
-        with console.services(_settings().database_url) as parts:
+        with console.services(_migrated().database_url) as parts:
             result = console.size_file(parts.sizing, file)
     except (ServiceError, OSError) as error:
         typer.echo(console.refusal(error), err=True)
@@ -90,7 +94,7 @@ def examples(
     """Recompute the worked examples; exit code 1 when a number that must be met is not."""
     from app.services import console
 
-    with console.services(_settings().database_url) as parts:
+    with console.services(_migrated().database_url) as parts:
         found = parts.examples.run_all()
     typer.echo(console.examples_json(found) if as_json else console.examples_text(found))
     raise typer.Exit(0 if all(example.met for example in found) else 1)

@@ -1,6 +1,7 @@
 """The commands of ``make run``, in its order, as a user runs them: each in a process of its own in an empty folder."""
 
 import importlib.util
+import math
 import os
 import re
 import signal
@@ -11,9 +12,14 @@ import time
 import urllib.error
 import urllib.request
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
+if TYPE_CHECKING:
+    from starlette.testclient import TestClient
+
+README = Path(__file__).resolve().parent.parent / "README.md"
 DRIVEWRIGHT = str(Path(sys.executable).parent / "drivewright")
 START_SECONDS = 60.0
 
@@ -68,6 +74,26 @@ def _first_answer(address: str, server: "subprocess.Popen[str]") -> str:
         except OSError:
             time.sleep(0.2)
     raise AssertionError("the server did not answer")
+
+
+def test_the_sizing_of_the_readme_prints_what_the_readme_shows(tmp_path: Path):
+    block = re.search(r"^    \$ \.venv/bin/drivewright (size (\S+))\n((?:    .*\n)+)", README.read_text(), re.MULTILINE)
+    assert block is not None
+    shown = [" ".join(line.split()) for line in block[3].splitlines() if line.strip() != "..."]
+    run(tmp_path, "load-catalog")
+    printed = [" ".join(line.split()) for line in run(tmp_path, "size", str(README.parent / block[2])).splitlines()]
+    assert len(shown) >= 5
+    assert [line for line in printed if line in shown] == shown
+
+
+def test_rest_gives_the_numbers_of_the_readme(client: "TestClient"):
+    answer = client.post("/api/v1/sizings", content=(README.parent / "docs/vertical_axis.json").read_bytes())
+    assert answer.status_code == 200, answer.text
+    checks = {check["name"]: check for check in answer.json()["checks"]}
+    # held without help of friction: m g p / (2 pi) = 60 kg * 9.81 m/s2 * 0.01 m / (2 pi)
+    assert checks["Holding brake"]["demanded"] == pytest.approx(60 * 9.81 * 0.01 / (2 * math.pi), rel=1e-9)
+    assert checks["Holding brake"]["permitted"] == 3.2
+    assert checks["Motor speed"]["demanded"] == pytest.approx(2000)  # 20 m/min on a lead of 10 mm
 
 
 def test_loading_the_catalogue_again_changes_nothing(tmp_path: Path):
