@@ -3,6 +3,7 @@
 import inspect
 import re
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from markupsafe import Markup
@@ -23,6 +24,7 @@ class FormulaText:
     example: str
 
 
+@cache
 def read(formula: Formula[..., Any]) -> FormulaText:
     """Take the docstring of a formula apart; what it raises concerns programs and is left out."""
     blocks = re.split(r"\n\s*\n", inspect.getdoc(formula.function) or "")

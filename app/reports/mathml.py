@@ -1,6 +1,7 @@
 """Formulas as MathML Core, for the pages. Every text in it is escaped, so the result is safe to put into a page."""
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 from markupsafe import Markup, escape
@@ -99,6 +100,7 @@ def math(inner: str, *, block: bool = True, continued: bool = False) -> Markup:
     return Markup('<math display="{}"{}>').format(shown, kind) + Markup(inner) + Markup("</math>")
 
 
+@lru_cache(maxsize=2000)
 def symbol(name: str) -> Markup:
     """A symbol for use within a text.
 

@@ -4,6 +4,7 @@ Typst sets the pages. The same input gives the same bytes: the document carries 
 come with the compiler. Only a text in a script which these lack (Chinese, for instance) is set in a font of the system.
 """
 
+import re
 from dataclasses import dataclass
 from functools import cache
 
@@ -18,6 +19,9 @@ from app.reports.writer import Translate
 
 _FIRST_FOREIGN = 0x0530
 """First code point behind Latin, Greek and Cyrillic, which the compiler's own fonts cover."""
+_INVISIBLE = re.compile(r'dot\.op|class\("unary", minus\)|attach|upright|frac|lr\b|cases|quad|[bt]: |[",() ]')
+_LONG_LINE = 60
+"""Characters that fit on a line of a formula for certain."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +74,7 @@ def report_pdf(report: Report, translate: Translate = str) -> bytes:
 
 def report_source(report: Report, translate: Translate = str) -> str:
     """The report as Typst source."""
-    view = sheet_view(report.sheet, translate)
+    view = sheet_view(report.sheet, translate, lines_of=notation.with_numbers, notes=False)
     parts: list[str] = [
         f"#set document(title: {literal(report.title)}, date: none)",
         f"#set text(lang: {literal(report.language[:2])})",
@@ -123,7 +127,7 @@ def _checks(view: SheetView, translate: Translate) -> list[str]:
     columns = ["Check", "Demanded", "Permitted", "Utilisation", "", "Verdict"]
     rows = [
         [
-            text(check.name) + (text(f" ({check.section})") if check.section else ""),
+            text(check.name) + (f"#linebreak()#note({literal(check.source)})" if check.source else ""),
             text(check.demanded), text(check.permitted), text(check.utilisation),
             bar(check.bar, check.limit, check.verdict),
             f"#text(fill: {check.verdict.replace('_', '-')}, {literal(f'{check.icon} {check.verdict_word}')})",
@@ -152,7 +156,13 @@ def _assumptions(view: SheetView, translate: Translate) -> list[str]:
     if not view.assumptions:
         return []
     rows = [
-        [text(item.text), _symbol(item.symbol_name), text(item.value), text(item.source)] for item in view.assumptions
+        [
+            text(item.text if item.count == 1 else f"{item.text} (× {item.count})"),
+            _symbol(item.symbol_name),
+            text(item.value),
+            text(item.source),
+        ]
+        for item in view.assumptions
     ]
     columns = [translate(name) for name in ("Assumed", "Symbol", "Value", "Source")]
     return [heading(translate("Assumptions")), grid(columns, rows, widths="(1fr, auto, auto, 1fr)", numeric={2})]
@@ -165,16 +175,17 @@ def _calculation(view: SheetView, translate: Translate) -> list[str]:
             parts.append(heading(section.title, 2))
         for item in section.items:
             if isinstance(item, StepView):
-                parts.append(_step(item, translate))
+                parts.append(_step(item))
             else:
                 parts.append(f"#decision({literal(item.text)}, {literal(item.reason)})")
     return parts
 
 
-def _step(item: StepView, translate: Translate) -> str:
-    step = item.step
-    lines = notation.with_numbers(
-        step.formula, step.inputs, step.value, name=step.symbol, unit=step.unit, translate=translate
-    )
-    shown = ", ".join(f"$ {line} $" for line in lines)
-    return f"#step({literal(item.label)}, {literal(item.source)}, ({shown},))"
+def _step(item: StepView) -> str:
+    lines = "".join(f"fitted[$ {line} $], " if _may_be_long(line) else f"$ {line} $, " for line in item.lines)
+    return f"#step({literal(item.label)}, {literal(item.source)}, ({lines}))"
+
+
+def _may_be_long(line: str) -> bool:
+    """Whether a line may be wider than the page; measuring every one would double the time of a report."""
+    return len(_INVISIBLE.sub("", line)) > _LONG_LINE

@@ -30,13 +30,14 @@ LAYOUT = """
 #show figure: set block(breakable: false)
 #show math.equation.where(block: true): set align(left)
 #set table(stroke: none, inset: (x: 4pt, y: 3pt))
+#let note(words) = text(size: 7.5pt, fill: muted, words)
 #let fitted(body) = layout(size => {
   let width = measure(body).width
   if width > size.width { scale(size.width / width * 100%, reflow: true, body) } else { body }
 })
 #let step(label, source, lines) = block(breakable: false, above: 1em, below: 1em, width: 100%)[
   #grid(columns: (1fr, 60mm), align: (left, right), text(weight: 600, label), text(size: 8pt, fill: muted, source))
-  #pad(left: 5mm, stack(spacing: 0.7em, ..lines.map(fitted)))
+  #pad(left: 5mm, stack(spacing: 0.7em, ..lines))
 ]
 #let decision(what, reason) = block(above: 1em, below: 1em, inset: (left: 6pt), stroke: (left: 1.5pt + line-colour))[
   #text(weight: 600, what) #linebreak() #text(fill: muted, reason)

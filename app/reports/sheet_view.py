@@ -4,8 +4,8 @@ The pages hand :class:`SheetView` to ``templates/partials/sheet/sheet.html``; te
 """
 
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from markupsafe import Markup
@@ -23,6 +23,8 @@ VERDICT_WORDS = {
     Verdict.NOT_CHECKED: "not checked",
 }
 VERDICT_ICONS = {Verdict.OK: "✓", Verdict.TIGHT: "!", Verdict.FAILS: "✗", Verdict.NOT_CHECKED: "?"}
+Lines = Callable[..., tuple[str, ...]]
+"""Writes an evaluated formula: ``mathml.with_numbers``, ``typst.with_numbers``."""
 BAR_END = 1.25
 """Utilisation at the right end of a bar, so that an exceeded limit is seen to be exceeded."""
 
@@ -47,8 +49,8 @@ class StepView:
     symbol: Markup
     symbol_text: str
     value: str
-    lines: tuple[Markup, ...]
-    """MathML: each equation in symbols and with numbers."""
+    lines: tuple[str, ...]
+    """Each equation in symbols and with numbers, in the notation of the view."""
     inputs: tuple[InputView, ...]
     formula: str
     formula_anchor: str
@@ -57,8 +59,6 @@ class StepView:
     """What the formula computes; empty where the label says that already."""
     notes: tuple[Markup, ...]
     """Assumptions and range of the formula."""
-    step: Step
-    """What was recorded, for a notation other than MathML."""
     is_step: bool = True
 
 
@@ -93,6 +93,8 @@ class AssumptionView:
     """The symbol as it is spelt in code, for a notation other than MathML."""
     value: str
     source: str
+    count: int = 1
+    """How often the same was assumed, for one move after the other for instance."""
 
 
 @dataclass(frozen=True)
@@ -133,12 +135,18 @@ class SheetView:
     """Number of checks by verdict."""
 
 
-def sheet_view(sheet: Sheet, translate: Translate = str) -> SheetView:
-    """Make a sheet ready for reading; ``translate`` turns the engine's English texts into the reader's language."""
+def sheet_view(
+    sheet: Sheet, translate: Translate = str, *, lines_of: Lines = mathml.with_numbers, notes: bool = True
+) -> SheetView:
+    """Make a sheet ready for reading; ``translate`` turns the engine's English texts into the reader's language.
+
+    ``lines_of`` writes an evaluated formula, as MathML unless said otherwise. Without ``notes`` the details of each
+    step (inputs, assumptions and range of its formula) are left out.
+    """
     verdict = overall(check.verdict for check in sheet.checks)
     return SheetView(
-        sections=_sections(sheet, translate),
-        assumptions=tuple(_assumption(item, translate) for item in sheet.assumptions),
+        sections=_sections(sheet, lambda step: _step(step, translate, lines_of, notes), translate),
+        assumptions=_assumptions(sheet.assumptions, translate),
         checks=tuple(_check(item, sheet, translate) for item in sheet.checks),
         verdict=str(verdict),
         verdict_word=translate(VERDICT_WORDS[verdict]),
@@ -147,12 +155,12 @@ def sheet_view(sheet: Sheet, translate: Translate = str) -> SheetView:
 
 
 def overall(verdicts: Iterable[Verdict]) -> Verdict:
-    """The worst of several verdicts; without any, nothing was checked.
+    """The worst of the checks that could be made; ``not_checked`` where none could.
 
     >>> str(overall([Verdict.OK, Verdict.NOT_CHECKED, Verdict.TIGHT]))
-    'not_checked'
+    'tight'
     """
-    rank = [Verdict.OK, Verdict.TIGHT, Verdict.NOT_CHECKED, Verdict.FAILS]
+    rank = [Verdict.NOT_CHECKED, Verdict.OK, Verdict.TIGHT, Verdict.FAILS]
     return max(verdicts, key=rank.index, default=Verdict.NOT_CHECKED)
 
 
@@ -165,7 +173,7 @@ def anchor(prefix: str, key: str) -> str:
     return f"{prefix}-{re.sub(r'[^A-Za-z0-9_.-]+', '-', key).strip('-')}"
 
 
-def _sections(sheet: Sheet, translate: Translate) -> tuple[SectionView, ...]:
+def _sections(sheet: Sheet, show_step: Callable[[Step], StepView], translate: Translate) -> tuple[SectionView, ...]:
     entries: list[tuple[int, int, Step | Decision]] = [(n, 1, step) for n, step in enumerate(sheet.steps)]
     entries += [(decision.position, 0, decision) for decision in sheet.decisions]
     made: dict[str, SectionView] = {}
@@ -174,13 +182,13 @@ def _sections(sheet: Sheet, translate: Translate) -> tuple[SectionView, ...]:
         if title not in made:
             made[title] = SectionView(translate(title) if title else "", f"section-{len(made) + 1}")
         if isinstance(entry, Step):
-            made[title].items.append(_step(entry, translate))
+            made[title].items.append(show_step(entry))
         else:
             made[title].items.append(DecisionView(translate(entry.text), translate(entry.reason)))
     return tuple(made.values())
 
 
-def _step(step: Step, translate: Translate) -> StepView:
+def _step(step: Step, translate: Translate, lines_of: Lines, notes: bool) -> StepView:
     text = formula_text.read(step.formula)
     name = step.symbol
     return StepView(
@@ -190,25 +198,28 @@ def _step(step: Step, translate: Translate) -> StepView:
         symbol=mathml.symbol(name),
         symbol_text=symbols.read(name).text,
         value=show(step.value, step.unit),
-        lines=mathml.with_numbers(
-            step.formula, step.inputs, step.value, name=name, unit=step.unit, translate=translate
-        ),
-        inputs=tuple(
-            InputView(
-                mathml.symbol(argument),
-                symbols.read(argument).text,
-                translate(meaning(argument)),
-                show(value, step.formula.parameters[argument]),
-            )
-            for argument, value in expression.all_inputs(step.formula, step.inputs).items()
-        ),
+        lines=lines_of(step.formula, step.inputs, step.value, name=name, unit=step.unit, translate=translate),
+        inputs=tuple(_inputs(step, translate)) if notes else (),
         formula=step.formula.name,
         formula_anchor=anchor("formula", step.formula.name),
         source=step.formula.source,
         summary=translate(text.summary) if text.summary != step.label else "",
-        notes=tuple(formula_text.to_html(paragraph, step.formula, translate) for paragraph in text.paragraphs),
-        step=step,
+        notes=tuple(formula_text.to_html(p, step.formula, translate) for p in text.paragraphs) if notes else (),
     )
+
+
+def _inputs(step: Step, translate: Translate) -> Iterable[InputView]:
+    for name, value in expression.all_inputs(step.formula, step.inputs).items():
+        shown = show(value, step.formula.parameters[name])
+        yield InputView(mathml.symbol(name), symbols.read(name).text, translate(meaning(name)), shown)
+
+
+def _assumptions(items: Iterable[Assumption], translate: Translate) -> tuple[AssumptionView, ...]:
+    """What reads the same is one line."""
+    shown = [_assumption(item, translate) for item in items]
+    same = [(view.text, view.symbol_name, view.value, view.source) for view in shown]
+    return tuple(replace(view, count=same.count(key)) for n, (view, key) in enumerate(zip(shown, same, strict=True))
+                 if key not in same[:n])  # fmt: skip
 
 
 def _assumption(item: Assumption, translate: Translate) -> AssumptionView:

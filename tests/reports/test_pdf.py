@@ -7,7 +7,7 @@ import typst as typst_compiler
 
 from app.engine.sheet import Sheet
 from app.reports.pdf import Chart, Report, Table, report_pdf, report_source
-from tests.reports.examples import sample_sheet
+from tests.reports.examples import sample_effective_torque, sample_sheet
 from tests.reports.test_sheet_view import hostile_sheet
 
 SVG = (
@@ -69,6 +69,15 @@ def test_a_report_has_as_many_pages_as_it_needs() -> None:
     assert not isinstance(few, list)
     assert isinstance(many, list)
     assert len(many) > 4
+
+
+def test_a_line_wider_than_the_page_is_fitted_to_it() -> None:
+    sheet = Sheet()
+    values = [1.2345e-7 * (n + 1) for n in range(5)]
+    sheet(sample_effective_torque, M_k=values, t_k=values)
+    assert "fitted[$ = sqrt(" in report_source(Report("a", sheet))
+    assert "fitted[$ F_F" not in report_source(full_report())
+    assert report_pdf(Report("a", sheet)).startswith(b"%PDF-")
 
 
 HOSTILE = '#panic("x") $ ] ) " \\" \\ @ref <label> [*b*] // /* `raw` \u0000 \u202e {{ }} \n\n= Heading'

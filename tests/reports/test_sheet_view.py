@@ -87,6 +87,22 @@ def test_an_assumption_is_shown_whatever_its_kind(view: SheetView, key: str, sho
     assert {item.key: item.value for item in view.assumptions}[key] == shown
 
 
+def test_what_is_assumed_of_every_move_is_one_line() -> None:
+    sheet = Sheet()
+    for move in range(3):
+        sheet.assume(f"moves.{move}.profile", "course of the speed", value="trapezoid")
+    sheet.assume("moves.3.profile", "course of the speed", value="s_curve")
+    view = sheet_view(sheet)
+    assert [(item.value, item.count) for item in view.assumptions] == [("trapezoid", 3), ("s curve", 1)]
+    assert "course of the speed × 3" in text_of(render(view))
+
+
+def test_details_may_be_left_out() -> None:
+    step = sheet_view(sample_sheet(), notes=False).sections[0].items[0]
+    assert isinstance(step, StepView)
+    assert (step.inputs, step.notes) == ((), ())
+
+
 @pytest.mark.parametrize(
     ("value", "shown"),
     [
@@ -139,7 +155,8 @@ def test_a_demand_that_meets_nothing_permitted_fills_the_bar(permitted: float) -
         ([], Verdict.NOT_CHECKED),
         ([Verdict.OK, Verdict.OK], Verdict.OK),
         ([Verdict.TIGHT, Verdict.OK], Verdict.TIGHT),
-        ([Verdict.NOT_CHECKED, Verdict.TIGHT], Verdict.NOT_CHECKED),
+        ([Verdict.NOT_CHECKED, Verdict.NOT_CHECKED], Verdict.NOT_CHECKED),
+        ([Verdict.NOT_CHECKED, Verdict.OK], Verdict.OK),
         ([Verdict.FAILS, Verdict.NOT_CHECKED], Verdict.FAILS),
     ],
 )
