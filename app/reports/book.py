@@ -12,7 +12,7 @@ from app.reports import formula_text, mathml, symbols
 from app.reports import typst as typst_notation
 from app.reports.numbers import unit_text
 from app.reports.sheet_view import anchor
-from app.reports.writer import Translate
+from app.reports.writer import Translate, never_empty
 
 TITLES = {
     "brake": "Brake",
@@ -107,6 +107,7 @@ def title(topic: str) -> str:
 
 def entry(formula: Formula[..., Any], translate: Translate = str) -> FormulaEntry:
     """One formula for a reader."""
+    translate = never_empty(translate)
     text = formula_text.read(formula)
     return FormulaEntry(
         name=formula.name,

@@ -14,7 +14,7 @@ from app.engine.glossary import meaning
 from app.engine.sheet import Assumption, Check, Decision, Sheet, Step, Verdict
 from app.reports import expression, formula_text, mathml, symbols
 from app.reports.numbers import ABSENT, join_unit, number, percent, show
-from app.reports.writer import Translate
+from app.reports.writer import Translate, never_empty
 
 VERDICT_WORDS = {
     Verdict.OK: "holds",
@@ -143,6 +143,7 @@ def sheet_view(
     ``lines_of`` writes an evaluated formula, as MathML unless said otherwise. Without ``notes`` the details of each
     step (inputs, assumptions and range of its formula) are left out.
     """
+    translate = never_empty(translate)
     verdict = overall(check.verdict for check in sheet.checks)
     return SheetView(
         sections=_sections(sheet, lambda step: _step(step, translate, lines_of, notes), translate),
@@ -180,7 +181,7 @@ def _sections(sheet: Sheet, show_step: Callable[[Step], StepView], translate: Tr
     for _, _, entry in sorted(entries, key=lambda entry: entry[:2]):
         title = entry.section
         if title not in made:
-            made[title] = SectionView(translate(title) if title else "", f"section-{len(made) + 1}")
+            made[title] = SectionView(translate(title), f"section-{len(made) + 1}")
         if isinstance(entry, Step):
             made[title].items.append(show_step(entry))
         else:
@@ -231,7 +232,7 @@ def _assumption(item: Assumption, translate: Translate) -> AssumptionView:
         symbol_text=symbols.read(item.symbol).text if item.symbol else "",
         symbol_name=item.symbol,
         value=_any_value(item.value, item.unit, translate),
-        source=translate(item.source) if item.source else "",
+        source=translate(item.source),
     )
 
 
@@ -260,7 +261,7 @@ def _check(check: Check, sheet: Sheet, translate: Translate) -> CheckView:
         key=check.key,
         anchor=anchor("check", check.key),
         name=translate(check.name),
-        section=translate(check.section) if check.section else "",
+        section=translate(check.section),
         demanded=show(check.demanded, check.unit),
         permitted=show(check.permitted, check.unit),
         utilisation=percent(used),
@@ -269,9 +270,9 @@ def _check(check: Check, sheet: Sheet, translate: Translate) -> CheckView:
         verdict=str(check.verdict),
         verdict_word=translate(VERDICT_WORDS[check.verdict]),
         icon=VERDICT_ICONS[check.verdict],
-        source=translate(check.source) if check.source else "",
+        source=translate(check.source),
         step_anchor=anchor("step", behind.key) if behind else "",
-        missing=translate(check.missing) if check.missing else "",
+        missing=translate(check.missing),
     )
 
 

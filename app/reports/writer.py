@@ -27,6 +27,13 @@ from app.reports.numbers import DIGITS, Rounded, elements, in_unit, rounded, uni
 from app.reports.symbols import Symbol
 
 Translate = Callable[[str], str]
+"""Turns an English text into the reader's language."""
+
+
+def never_empty(translate: Translate) -> Translate:
+    """The same translation for use on texts that may be empty: to gettext the empty text is the catalogue's header."""
+    return lambda text: translate(text) if text else ""
+
 
 _EXACT = 12
 """Digits of a number that stands in the formula itself: it is shown as it is."""

@@ -179,6 +179,18 @@ def test_every_text_is_translated() -> None:
     assert view.checks[0].verdict == "ok"
 
 
+def test_an_empty_text_is_never_looked_up() -> None:
+    """To gettext the empty text is the header of the catalogue: it would land in the page."""
+    sheet = sample_sheet()
+    sheet.decide("decision", "")
+
+    def translate(text: str) -> str:
+        assert text
+        return text
+
+    assert sheet_view(sheet, translate) == sheet_view(sheet)
+
+
 def test_anchors_suit_an_address() -> None:
     assert anchor("step", "a#2 b/ü") == "step-a-2-b"
 
