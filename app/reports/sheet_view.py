@@ -191,11 +191,12 @@ def _sections(sheet: Sheet, show_step: Callable[[Step], StepView], translate: Tr
 
 def _step(step: Step, translate: Translate, lines_of: Lines, notes: bool) -> StepView:
     text = formula_text.read(step.formula)
-    name = step.symbol
+    name, summary = step.symbol, translate(text.summary)
+    label = _first_clause(summary) if step.label == text.summary else translate(step.label).removesuffix(".")
     return StepView(
         key=step.key,
         anchor=anchor("step", step.key),
-        label=translate(step.label).removesuffix("."),
+        label=label,
         symbol=mathml.symbol(name),
         symbol_text=symbols.read(name).text,
         value=show(step.value, step.unit),
@@ -204,9 +205,14 @@ def _step(step: Step, translate: Translate, lines_of: Lines, notes: bool) -> Ste
         formula=step.formula.name,
         formula_anchor=anchor("formula", step.formula.name),
         source=step.formula.source,
-        summary=translate(text.summary) if text.summary != step.label else "",
+        summary="" if summary == f"{label}." else summary,
         notes=tuple(formula_text.to_html(p, step.formula, translate) for p in text.paragraphs) if notes else (),
     )
+
+
+def _first_clause(summary: str) -> str:
+    """What heads a step that has no label of its own: the summary of its formula up to the first semicolon."""
+    return re.split("[;；]", summary)[0].strip().removesuffix(".").removesuffix("。")
 
 
 def _inputs(step: Step, translate: Translate) -> Iterable[InputView]:

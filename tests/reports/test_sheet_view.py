@@ -7,6 +7,8 @@ from xml.etree import ElementTree
 import jinja2
 import pytest
 
+import app.engine.formulas  # noqa: F401  (registers every formula)
+from app.engine.formula import registered
 from app.engine.sheet import Check, Sheet, Verdict
 from app.reports.sheet_view import BAR_END, DecisionView, SheetView, StepView, anchor, overall, sheet_view
 from tests.reports.examples import sample_effective_torque, sample_rolling_resistance, sample_sheet
@@ -78,6 +80,15 @@ def test_a_label_of_its_own_leaves_the_summary_to_the_details(view: SheetView) -
         "−1.8 N·m",
     )
     assert back.summary == "Torque before a stage, by direction of power."
+
+
+def test_the_first_clause_of_a_summary_heads_a_step() -> None:
+    sheet = Sheet()
+    sheet(registered()["ramp_distance"], v=0.5, t_A=0.2)
+    step = sheet_view(sheet).sections[0].items[0]
+    assert isinstance(step, StepView)
+    assert step.label == "Distance from standstill to a speed, or back"
+    assert step.summary.startswith("Distance from standstill to a speed, or back; holds for")
 
 
 @pytest.mark.parametrize(
