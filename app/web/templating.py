@@ -10,8 +10,10 @@ from fastapi.responses import HTMLResponse
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup, escape
 
+from app.engine.sheet import TIGHT
 from app.reports import mathml
 from app.reports.numbers import unit_text
+from app.reports.sheet_view import BAR_END
 from app.services.version import ENGINE_VERSION
 from app.settings import PROJECT_ROOT
 from app.web.errors import Problem
@@ -44,7 +46,16 @@ def caption(text: str) -> Caption:
     """
     places = [place for place in (text.find(": "), text.find("; ")) if place > 0]
     cut = min(places, default=len(text))
-    return Caption(text[:1].upper() + text[1:cut], text[cut + 1 :].strip())
+    return Caption(capital(text[:cut]), text[cut + 1 :].strip())
+
+
+def capital(text: str) -> str:
+    """The text with a capital at its beginning.
+
+    >>> capital("own data sheet")
+    'Own data sheet'
+    """
+    return text[:1].upper() + text[1:]
 
 
 def make_environment() -> Environment:
@@ -57,8 +68,8 @@ def make_environment() -> Environment:
         lstrip_blocks=True,
         extensions=["jinja2.ext.i18n", "jinja2.ext.do"],
     )
-    environment.globals["engine_version"] = ENGINE_VERSION
-    environment.filters.update(caption=caption, symbol=mathml.symbol, unit=unit_text)
+    environment.globals.update(engine_version=ENGINE_VERSION, bar_tight=round(100 * TIGHT / BAR_END, 1))
+    environment.filters.update(caption=caption, capital=capital, symbol=mathml.symbol, unit=unit_text)
     return environment
 
 

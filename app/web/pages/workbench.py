@@ -1,0 +1,134 @@
+"""The workbench: one axis, from its entries to verdict, charts and sheet."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query, Request, Response
+from fastapi.responses import RedirectResponse
+from markupsafe import Markup
+
+from app.services.errors import InvalidInputError
+from app.services.mechanisms import MechanismKind, mechanism_kind
+from app.web.deps import Examples, Projects, Sizings
+from app.web.form_data import nested
+from app.web.project_views import ProjectView, axis_errors, new_document
+from app.web.submission import Submitted
+from app.web.templating import page, translator
+from app.web.workbench import Axis, axis_of, drawing_of
+
+router = APIRouter()
+UNPROCESSABLE = 422
+
+
+@dataclass(frozen=True)
+class ExampleLink:
+    """A worked example that fills the form."""
+
+    title: str
+    source: str
+    url: str
+
+
+@dataclass(frozen=True)
+class WorkbenchPage:
+    """Context of ``workbench.html``."""
+
+    mechanism: MechanismKind
+    drawing: Markup
+    axis: Axis
+    examples: tuple[ExampleLink, ...]
+    project: ProjectView | None
+    url: str
+    """Where the form is sent."""
+
+
+@dataclass(frozen=True)
+class AxisPart:
+    """Context of the parts of the workbench that are fetched alone."""
+
+    axis: Axis
+    project: ProjectView | None = None
+
+
+@router.get("/workbench/{kind}")
+def show_workbench(
+    request: Request,
+    kind: str,
+    sizings: Sizings,
+    examples: Examples,
+    example: Annotated[str | None, Query(max_length=200)] = None,
+    name: Annotated[str | None, Query(alias="request", max_length=200)] = None,
+) -> Response:
+    """An empty workbench, one filled by the query (every entry under its name), or one filled by an example."""
+    mechanism = mechanism_kind(kind)
+    raw: Mapping[str, Any] = nested(request.query_params.multi_items())
+    if example is not None:
+        requests = examples.file(example).requests
+        raw = requests.get(name or "", next(iter(requests.values())))
+        kind_of_example = raw.get("mechanism", {}).get("kind", kind)
+        mechanism = mechanism_kind(kind_of_example)
+    axis = axis_of(mechanism, raw, sizings, translator(request))
+    return workbench_page(request, mechanism, axis, examples)
+
+
+@router.post("/workbench/{kind}")
+def submit_workbench(
+    request: Request, kind: str, form: Submitted, sizings: Sizings, projects: Projects, examples: Examples
+) -> Response:
+    """Calculate, change the form, or save: always with everything as it was typed."""
+    mechanism, translate = mechanism_kind(kind), translator(request)
+    axis = axis_of(mechanism, form.raw, sizings, translate, demanded=form.action != "update")
+    if form.action == "save" and not axis.refused:
+        try:
+            opened = projects.create(new_document(axis.raw, mechanism))
+        except InvalidInputError as error:
+            axis = axis_of(mechanism, form.raw, sizings, translate, demanded=True, further=axis_errors(error))
+        else:
+            return RedirectResponse(f"/p/{opened.edit_token}?saved=new", 303)
+    return workbench_page(request, mechanism, axis, examples)
+
+
+@router.post("/workbench/{kind}/result")
+def show_result(request: Request, kind: str, form: Submitted, sizings: Sizings) -> Response:
+    """What follows from the entries, as the part of the page that shows it: for recalculating while typing."""
+    axis = axis_of(mechanism_kind(kind), form.raw, sizings, translator(request))
+    return page(request, "partials/result/result.html", AxisPart(axis))
+
+
+@router.post("/workbench/{kind}/form")
+def show_form(request: Request, kind: str, form: Submitted, sizings: Sizings) -> Response:
+    """The entries alone, after a row or a choice has changed."""
+    axis = axis_of(mechanism_kind(kind), form.raw, sizings, translator(request))
+    return page(request, "partials/form/axis.html", AxisPart(axis))
+
+
+def workbench_page(
+    request: Request,
+    mechanism: MechanismKind,
+    axis: Axis,
+    examples: Examples,
+    project: ProjectView | None = None,
+    url: str = "",
+) -> Response:
+    """The whole workbench; 422 where something typed cannot be used."""
+    context = WorkbenchPage(
+        mechanism=mechanism,
+        drawing=drawing_of(mechanism.drawing),
+        axis=axis,
+        examples=tuple(example_links(mechanism.kind, examples)) if project is None else (),
+        project=project,
+        url=url or f"/workbench/{mechanism.kind}",
+    )
+    return page(request, "workbench.html", context, UNPROCESSABLE if axis.refused else 200)
+
+
+def example_links(kind: str, examples: Examples) -> list[ExampleLink]:
+    """The worked examples that a mechanism can be filled with: the first request of each file that is of its kind."""
+    found = []
+    for file in examples.files():
+        for name, raw in file.requests.items():
+            if raw.get("mechanism", {}).get("kind") == kind:
+                url = f"/workbench/{kind}?example={file.id}&request={name}"
+                found.append(ExampleLink(str(raw.get("name") or file.title), file.source, url))
+    return found
