@@ -3,6 +3,9 @@
 from collections.abc import Iterator
 from typing import Annotated, Any
 
+from pydantic import field_validator
+from pydantic_core import PydanticCustomError
+
 from app.engine.products import ServoGearUnit, ServoMotor
 from app.engine.quantity import Declaration, Declared, Option, Quantity
 
@@ -68,6 +71,13 @@ class OwnServoMotor(_OwnProduct):
     peak_curve: Annotated[
         tuple[CurvePoint, ...], Option(default=(), about="points of the peak curve", group="Own motor")
     ]
+
+    @field_validator("continuous_curve", "peak_curve")
+    @classmethod
+    def _one_torque_per_speed(cls, points: tuple[CurvePoint, ...]) -> tuple[CurvePoint, ...]:
+        if len({point.speed for point in points}) < len(points):
+            raise PydanticCustomError("curve", "two points of the curve have the same speed")
+        return points
 
     def product(self) -> ServoMotor:
         """The motor as a product record, curve points by rising speed."""
