@@ -55,7 +55,7 @@ def serve_bare(listener: socket.socket, answer: bytes) -> None:
 
 def serve(app: FastAPI, listener: socket.socket) -> None:
     """Serve until the process is ended."""
-    uvicorn.Server(uvicorn.Config(app, log_level="warning", access_log=False)).run(sockets=[listener])
+    uvicorn.Server(uvicorn.Config(app, log_level="warning", access_log=False, timeout_keep_alive=600)).run(sockets=[listener])
 
 
 class Client:
@@ -84,7 +84,7 @@ class Client:
 def _read(connection: socket.socket) -> bytes:
     data = b""
     while b"\r\n\r\n" not in data:
-        data += connection.recv(1 << 16)
+        data += _received(connection)
     head, _, body = data.partition(b"\r\n\r\n")
     if not head.startswith(b"HTTP/1.1 200"):
         raise RuntimeError(f"{head!r} {body[:300]!r}")
@@ -92,14 +92,23 @@ def _read(connection: socket.socket) -> bytes:
     parts = [body]
     missing = length - len(body)
     while missing > 0:
-        parts.append(connection.recv(1 << 16))
+        parts.append(_received(connection))
         missing -= len(parts[-1])
     return b"".join(parts)
+
+
+def _received(connection: socket.socket) -> bytes:
+    found = connection.recv(1 << 16)
+    if not found:
+        raise RuntimeError("the server closed the connection")
+    return found
 
 
 def started(target: Callable[..., None], *args: object) -> tuple[multiprocessing.Process, Client]:
     """A server process and a client of it."""
     listener = socket.create_server(("127.0.0.1", 0), backlog=64)
+    # Connections inherit it; asyncio sets it only on sockets that it opened itself, and waiting is not to be measured.
+    listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     process = multiprocessing.get_context("fork").Process(target=target, args=(listener, *args), daemon=True)
     process.start()
     return process, Client(listener.getsockname()[1], CONNECTIONS)  # type: ignore[return-value]
