@@ -55,7 +55,9 @@ def serve_bare(listener: socket.socket, answer: bytes) -> None:
 
 def serve(app: FastAPI, listener: socket.socket) -> None:
     """Serve until the process is ended."""
-    uvicorn.Server(uvicorn.Config(app, log_level="warning", access_log=False, timeout_keep_alive=600)).run(sockets=[listener])
+    uvicorn.Server(uvicorn.Config(app, log_level="warning", access_log=False, timeout_keep_alive=600)).run(
+        sockets=[listener]
+    )
 
 
 class Client:

@@ -162,6 +162,20 @@ class SizingAnswer(Answer):
     load_cycle: LoadCycleAnswer
 
 
+class FigureAnswer(Answer):
+    """A Plotly figure."""
+
+    data: list[dict[str, Any]]
+    layout: dict[str, Any]
+
+
+class ChartsAnswer(Answer):
+    """Charts of one axis."""
+
+    torque_speed: FigureAnswer
+    cycle: FigureAnswer
+
+
 # Selection -----------------------------------------------------------------------------------------------------------
 class CandidateAnswer(Answer):
     """One admitted combination of motor and gear unit."""

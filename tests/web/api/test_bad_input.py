@@ -20,6 +20,7 @@ def in_project(request: dict[str, Any]) -> dict[str, Any]:
 
 POSTS: dict[str, tuple[str, Callable[[dict[str, Any]], dict[str, Any]], str]] = {
     "sizings": (f"{API}/sizings", lambda request: request, ""),
+    "charts": (f"{API}/charts", lambda request: request, ""),
     "selections": (f"{API}/selections", lambda request: request, ""),
     "explain": (f"{API}/selections/explain", lambda request: {**request, "motor_id": "own"}, ""),
     "projects": (f"{API}/projects", in_project, "axes.0.request."),
