@@ -127,11 +127,15 @@ def test_demanding_all_checks_leaves_none_unchecked(client: TestClient):
     assert found["rejected_by"]["not_checked"] > 0
 
 
-def test_a_ranking_by_mass_lists_the_lightest_first(client: TestClient):
-    masses = [item["mass_kg"] for item in select(client, OPEN_AXIS, ranking="mass", limit=50)["items"]]
-    known = [mass for mass in masses if mass is not None]
-    assert len(known) > 1
-    assert masses == sorted(known) + [None] * (len(masses) - len(known))
+def test_a_ranking_by_mass_lists_the_lightest_first_but_those_checked_in_full_before(client: TestClient):
+    items = select(client, OPEN_AXIS, ranking="mass", limit=50)["items"]
+    places = [
+        (bool(item["not_checked"]), item["mass_kg"] is None, item["mass_kg"] or 0.0)
+        for item in items
+    ]  # fmt: skip
+    assert places == sorted(places)
+    assert {unchecked for unchecked, _, _ in places} == {False, True}
+    assert sum(not unknown for _, unknown, _ in places) > 1
 
 
 @pytest.mark.parametrize(
