@@ -120,5 +120,6 @@ def serve(
         port=port,
         workers=workers or settings.workers,
         log_level=settings.log_level,
+        access_log=False,  # the address of a project is its key: it must not stand in a log
         proxy_headers=True,
     )
