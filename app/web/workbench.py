@@ -20,6 +20,7 @@ from app.services.mechanisms import MechanismKind
 from app.services.requests import ServoDriveRequest, SizingRequest
 from app.services.sizing import Sizing, SizingService
 from app.settings import PROJECT_ROOT
+from app.web.chart_views import ChartView, charts_of
 from app.web.form_data import fitted
 from app.web.forms import (
     ChoiceView,
@@ -104,6 +105,7 @@ class ResultView:
     unchecked: tuple[CheckView, ...] = ()
     parts: tuple[PartLine, ...] = ()
     sheet: SheetView | None = None
+    charts: tuple[ChartView, ...] = ()
     sizing: Sizing | None = None
 
 
@@ -226,6 +228,7 @@ def _result(
             for role, product in sizing.parts.chosen()
         ),
         sheet=view,
+        charts=charts_of(sizing, translate),
         sizing=sizing,
     )
 
