@@ -148,7 +148,7 @@ def sheet_view(
     return SheetView(
         sections=_sections(sheet, lambda step: _step(step, translate, lines_of, notes), translate),
         assumptions=_assumptions(sheet.assumptions, translate),
-        checks=tuple(_check(item, sheet, translate) for item in sheet.checks),
+        checks=tuple(check_view(item, sheet, translate) for item in sheet.checks),
         verdict=str(verdict),
         verdict_word=translate(VERDICT_WORDS[verdict]),
         counts={str(kind): sum(check.verdict == kind for check in sheet.checks) for kind in Verdict},
@@ -260,7 +260,8 @@ def _any_value(value: Any, unit: str, translate: Translate) -> str:
     return str(value)
 
 
-def _check(check: Check, sheet: Sheet, translate: Translate) -> CheckView:
+def check_view(check: Check, sheet: Sheet, translate: Translate = str) -> CheckView:
+    """One check made ready for reading; its step is looked up on ``sheet``."""
     used = check.utilisation
     behind = next((step for step in reversed(sheet.steps) if check.formula and _belongs(step, check.formula)), None)
     return CheckView(

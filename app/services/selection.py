@@ -133,6 +133,11 @@ class SelectionService:
         drives = suggest_drives(result.currents, self._catalogue.snapshot().servo_drives)
         return Explanation(parts, result, sheet, tuple(drives[:SUGGESTED_DRIVES]))
 
+    def products(self) -> tuple[tuple[ServoMotor, ...], tuple[ServoGearUnit, ...]]:
+        """Every motor and gear unit of the catalogue that is loaded."""
+        snapshot = self._catalogue.snapshot()
+        return snapshot.motors, snapshot.gear_units
+
     def _product(self, role: str, product_id: str, given: Parts) -> Any:
         own: Product | None = getattr(given, role)
         if own is not None and own.id == product_id:

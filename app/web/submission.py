@@ -8,12 +8,13 @@ from fastapi import Depends, Request
 from starlette.datastructures import UploadFile
 
 from app.services.errors import FieldError, InvalidInputError, MalformedInputError
+from app.services.selection import choose
 from app.web.form_data import nested, with_row_added, with_row_removed
 
 MAX_FIELDS = 20_000
 LARGEST_VERSION = 2**31 - 1
-ADD, REMOVE, ACTION = "add", "remove", "action"
-"""Names of the buttons: a row to a list, a row away, and everything else."""
+ADD, REMOVE, ACTION, USE = "add", "remove", "action", "use"
+"""Names of the buttons: a row to a list, a row away, everything else, and a candidate to be taken."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,8 @@ class Submission:
     steering: Mapping[str, str] = field(default_factory=dict)
     """Entries beside the axis: names that begin with an underscore, without it."""
     files: Mapping[str, bytes] = field(default_factory=dict)
+    lists: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """All values of each steering entry, in order."""
 
     @property
     def version(self) -> int:
@@ -50,15 +53,22 @@ def submission_of(pairs: list[tuple[str, str]], files: Mapping[str, bytes] | Non
     """
     if any("\0" in name or "\0" in value for name, value in pairs):
         raise MalformedInputError("An entry holds a NUL character.")
-    buttons = {name: value for name, value in pairs if name in (ADD, REMOVE, ACTION)}
+    buttons = {name: value for name, value in pairs if name in (ADD, REMOVE, ACTION, USE)}
     raw = nested((name, value) for name, value in pairs if name not in buttons)
     if ADD in buttons:
         raw = with_row_added(raw, buttons[ADD])
     elif REMOVE in buttons:
         raw = with_row_removed(raw, buttons[REMOVE])
+    if USE in buttons:
+        motor, _, gear = buttons[USE].partition("|")
+        raw = choose(raw, motor, gear or None)
+    lists: dict[str, tuple[str, ...]] = {}
+    for name, value in pairs:
+        if name.startswith("_"):
+            lists[name[1:]] = (*lists.get(name[1:], ()), value)
     steering = {name[1:]: value for name, value in pairs if name.startswith("_")}
     only_form = ADD in buttons or REMOVE in buttons
-    return Submission(raw, "update" if only_form else buttons.get(ACTION, "calculate"), steering, files or {})
+    return Submission(raw, "update" if only_form else buttons.get(ACTION, "calculate"), steering, files or {}, lists)
 
 
 async def get_submission(request: Request) -> Submission:

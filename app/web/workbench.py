@@ -20,6 +20,7 @@ from app.services.mechanisms import MechanismKind
 from app.services.requests import ServoDriveRequest, SizingRequest
 from app.services.sizing import Sizing, SizingService
 from app.settings import PROJECT_ROOT
+from app.web.alternatives import AlternativesView
 from app.web.chart_views import ChartView, charts_of
 from app.web.form_data import fitted
 from app.web.forms import (
@@ -106,6 +107,7 @@ class ResultView:
     parts: tuple[PartLine, ...] = ()
     sheet: SheetView | None = None
     charts: tuple[ChartView, ...] = ()
+    alternatives: AlternativesView | None = None
     sizing: Sizing | None = None
 
 
@@ -141,10 +143,11 @@ def axis_of(
     *,
     demanded: bool = False,
     further: Iterable[FieldError] = (),
+    alternatives: Callable[[Mapping[str, Any]], AlternativesView] | None = None,
 ) -> Axis:
     """Calculate what was typed. Where entries are missing this is no error unless the result was demanded.
 
-    ``further`` are errors from elsewhere (saving) to be shown too.
+    ``further`` are errors from elsewhere (saving) to be shown too; ``alternatives`` searches the catalogue.
     """
     typed = complete(kind, raw)
     sizing, refused = None, list(further)
@@ -156,7 +159,10 @@ def axis_of(
     missing = [] if demanded else [error for error in refused if _is_empty(error.value)]
     wrong = [error for error in refused if error not in missing]
     form, needed = _form(kind, typed, wrong, missing)
-    return Axis(typed, form, _result(sizing, form.errors, needed, translate))
+    result = _result(sizing, form.errors, needed, translate)
+    if sizing is not None and alternatives is not None:
+        result = replace(result, alternatives=alternatives(typed))
+    return Axis(typed, form, result)
 
 
 def _is_empty(value: Any) -> bool:

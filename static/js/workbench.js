@@ -85,12 +85,14 @@ function shownErrors() {
   if (summary) summary.replaceChildren();
 }
 
-async function recalculate() {
-  const html = await fetched("result");
+async function recalculate(button) {
+  const focused = document.activeElement?.id;
+  const html = await fetched("result", button);
   if (html === null) return;
   replaced(result, html);
   shownErrors();
   arranged(result);
+  if (focused && document.activeElement === document.body) document.getElementById(focused)?.focus();
   const word = result.querySelector(".verdict-banner-word")?.textContent.trim() ?? "";
   const more = result.querySelector(".verdict-banner-more")?.textContent.replace(/\s+/g, " ").trim() ?? "";
   announce.textContent = `${word}. ${more}`;
@@ -99,7 +101,7 @@ async function recalculate() {
 
 function soon() {
   clearTimeout(waiting);
-  waiting = setTimeout(recalculate, PAUSE);
+  waiting = setTimeout(() => recalculate(), PAUSE);
 }
 
 async function rebuild(button) {
@@ -142,6 +144,22 @@ if (form && result) {
       event.preventDefault();
       rebuild(button);
     }
+  });
+  // Controls of the result belong to the form but stand outside of it.
+  result.addEventListener("change", (event) => {
+    if (event.target.matches("select")) recalculate();
+  });
+  result.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" || !event.target.matches("input")) return;
+    event.preventDefault();
+    recalculate();
+  });
+  result.addEventListener("click", (event) => {
+    const button = event.target.closest("button[data-rebuild], button[data-list]");
+    if (!button) return;
+    event.preventDefault();
+    if (button.matches("[data-list]")) recalculate(button);
+    else rebuild(button);
   });
 }
 

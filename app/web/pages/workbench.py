@@ -1,6 +1,6 @@
 """The workbench: one axis, from its entries to verdict, charts and sheet."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any
 
@@ -10,7 +10,8 @@ from markupsafe import Markup
 
 from app.services.errors import InvalidInputError
 from app.services.mechanisms import MechanismKind, mechanism_kind
-from app.web.deps import Examples, Projects, Sizings
+from app.web.alternatives import AlternativesView, Wanted, alternatives_of
+from app.web.deps import Examples, Projects, Selections, Sizings
 from app.web.form_data import nested
 from app.web.project_views import ProjectView, axis_errors, new_document
 from app.web.submission import Submitted
@@ -56,6 +57,7 @@ def show_workbench(
     request: Request,
     kind: str,
     sizings: Sizings,
+    selections: Selections,
     examples: Examples,
     example: Annotated[str | None, Query(max_length=200)] = None,
     name: Annotated[str | None, Query(alias="request", max_length=200)] = None,
@@ -68,17 +70,25 @@ def show_workbench(
         raw = requests.get(name or "", next(iter(requests.values())))
         kind_of_example = raw.get("mechanism", {}).get("kind", kind)
         mechanism = mechanism_kind(kind_of_example)
-    axis = axis_of(mechanism, raw, sizings, translator(request))
+    search = searching(request, Wanted(), selections)
+    axis = axis_of(mechanism, raw, sizings, translator(request), alternatives=search)
     return workbench_page(request, mechanism, axis, examples)
 
 
 @router.post("/workbench/{kind}")
 def submit_workbench(
-    request: Request, kind: str, form: Submitted, sizings: Sizings, projects: Projects, examples: Examples
+    request: Request,
+    kind: str,
+    form: Submitted,
+    sizings: Sizings,
+    selections: Selections,
+    projects: Projects,
+    examples: Examples,
 ) -> Response:
     """Calculate, change the form, or save: always with everything as it was typed."""
     mechanism, translate = mechanism_kind(kind), translator(request)
-    axis = axis_of(mechanism, form.raw, sizings, translate, demanded=form.action != "update")
+    search = searching(request, Wanted.of(form.lists), selections)
+    axis = axis_of(mechanism, form.raw, sizings, translate, demanded=form.action != "update", alternatives=search)
     if form.action == "save" and not axis.refused:
         try:
             opened = projects.create(new_document(axis.raw, mechanism))
@@ -90,9 +100,10 @@ def submit_workbench(
 
 
 @router.post("/workbench/{kind}/result")
-def show_result(request: Request, kind: str, form: Submitted, sizings: Sizings) -> Response:
+def show_result(request: Request, kind: str, form: Submitted, sizings: Sizings, selections: Selections) -> Response:
     """What follows from the entries, as the part of the page that shows it: for recalculating while typing."""
-    axis = axis_of(mechanism_kind(kind), form.raw, sizings, translator(request))
+    search = searching(request, Wanted.of(form.lists), selections)
+    axis = axis_of(mechanism_kind(kind), form.raw, sizings, translator(request), alternatives=search)
     return page(request, "partials/result/result.html", AxisPart(axis))
 
 
@@ -121,6 +132,13 @@ def workbench_page(
         url=url or f"/workbench/{mechanism.kind}",
     )
     return page(request, "workbench.html", context, UNPROCESSABLE if axis.refused else 200)
+
+
+def searching(
+    request: Request, wanted: Wanted, selections: Selections
+) -> Callable[[Mapping[str, Any]], AlternativesView]:
+    """The search for alternatives as this reader wants it."""
+    return lambda raw: alternatives_of(raw, wanted, selections, translator(request))
 
 
 def example_links(kind: str, examples: Examples) -> list[ExampleLink]:
