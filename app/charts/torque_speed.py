@@ -18,12 +18,17 @@ def torque_speed_figure(result: ServoResult, translate: Translate = str, *, four
         traces += _limit(result.limits.peak_points(), translate("peak curve"), "series-2", "solid", four_quadrants)
         s1 = translate("S1 curve (continuous)")
         traces += _limit(result.limits.continuous_points(), s1, "series-3", "dash", four_quadrants)
+    shown: set[tuple[float, float]] = set()
     for points, name, colour, dash in (
         (result.cycle, translate("cycle"), "series-1", "solid"),
         (result.opposite, translate("opposite direction"), "series-5", "dot"),
     ):
         if points is not None and points.torque is not None:
             x, y, labels = _path(points, four_quadrants)
+            corners = {(round(a, 3), round(b, 3)) for a, b in zip(x, y, strict=True)}
+            if corners <= shown:
+                continue  # a cycle that runs both ways shows the opposite direction already
+            shown |= corners
             traces.append(line(x, y, name, colour, dash=dash, width=1.5, mode="lines+markers", text=labels))
     if result.effective_torque is not None:
         mean = ([result.mean_speed * RPM], [result.effective_torque])
