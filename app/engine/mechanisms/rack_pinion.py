@@ -1,6 +1,9 @@
 """Rack and pinion: the pinion on the drive's shaft rolls on a rack, straight or helical."""
 
-from typing import Annotated, Any, ClassVar, Literal
+from collections.abc import Iterator
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import model_validator
 
 from app.engine.environment import Environment
 from app.engine.formulas.conversion import shaft_speed
@@ -11,10 +14,10 @@ from app.engine.formulas.rack import (
     travel_per_revolution,
 )
 from app.engine.mechanisms.base import Load, Mechanism
-from app.engine.mechanisms.guided_axis import MASSES, GuidedAxis
+from app.engine.mechanisms.guided_axis import MASSES, GuidedAxis, refused
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, record_axis
 from app.engine.motion.profile import MotionProfile
-from app.engine.quantity import Option, Quantity
+from app.engine.quantity import Declaration, Option, Quantity
 from app.engine.sheet import Sheet
 from app.engine.transmission import LinearTransmission
 
@@ -40,11 +43,18 @@ class RackPinion(GuidedAxis, Mechanism):
             labels={"pinion": "the pinion, with motor and gear unit", "rack": "the rack; the motor stands"},
         ),
     ]  # fmt: skip
-    travelling_mass: Annotated[
+    drive_mass: Annotated[
         float,
         Quantity(
             "kg", symbol="m_2", ge=0, le=1e6, default=0.0, group=MASSES, source="contained in the mass of the slide",
-            about="mass that travels along: motor and gear unit with the pinion, or the rack",
+            about="mass of motor and gear unit, where they travel with the pinion",
+        ),
+    ]  # fmt: skip
+    rack_mass: Annotated[
+        float,
+        Quantity(
+            "kg", symbol="m_z", ge=0, le=1e6, default=0.0, group=MASSES, source="contained in the mass of the slide",
+            about="mass of the rack, where it travels",
         ),
     ]  # fmt: skip
     module: Annotated[
@@ -80,6 +90,24 @@ class RackPinion(GuidedAxis, Mechanism):
             about="permitted tangential force of rack and pinion, from the maker",
         ),
     ]  # fmt: skip
+
+    @model_validator(mode="after")
+    def _only_what_travels_has_a_moved_mass(self) -> Self:
+        if self.moving == "pinion" and self.rack_mass:
+            raise refused(self, "rack_mass", "the rack stands, so its mass is not moved; choose which part travels")
+        if self.moving == "rack" and self.drive_mass:
+            raise refused(self, "drive_mass", "the motor stands, so its mass is not moved; choose which part travels")
+        return self
+
+    def defaults_taken(self) -> Iterator[tuple[str, Declaration, Any]]:
+        """As in the base, without the mass of what stands."""
+        idle = "rack_mass" if self.moving == "pinion" else "drive_mass"
+        yield from (found for found in super().defaults_taken() if found[0] != idle)
+
+    @property
+    def travelling_mass(self) -> float:
+        """Mass of what travels along beside the slide [kg]."""
+        return self.drive_mass if self.moving == "pinion" else self.rack_mass
 
     def slide_side_mass(self, payload: Any) -> Any:
         """Mass on the slide's side [kg], with what travels along."""

@@ -65,12 +65,15 @@ def test_the_tangential_force_is_checked_where_the_limit_is_known(permitted: flo
 
 def test_what_travels_along_is_moved_lifted_and_guided():
     # straight teeth: R = 37.5 mm; 45 degrees up: m (a + g sin + mu g cos)
-    steep = {**AXIS, "helix_angle_deg": 0, "inclination_deg": 45, "travelling_mass_kg": 60}
+    steep = {**AXIS, "helix_angle_deg": 0, "inclination_deg": 45, "drive_mass_kg": 60}
     found = loaded(rack(**steep), STROKE)
     g = 9.81 * math.sqrt(0.5)
     assert found.cycle.torque[0] == pytest.approx(460 * (2 + g + 0.15 * g) * 0.0375)
     assert found.statics.holding == pytest.approx(460 * g * 0.0375)
     assert found.opposite is not None
+    rack_travels = {**steep, "moving": "rack", "rack_mass_kg": 60}
+    del rack_travels["drive_mass_kg"]
+    np.testing.assert_allclose(loaded(rack(**rack_travels), STROKE).cycle.torque, found.cycle.torque)
 
 
 def test_the_pinion_itself_is_before_the_losses():
@@ -88,11 +91,19 @@ def test_what_cannot_be_is_refused_at_its_field(change: dict[str, Any]):
     assert [error["loc"] for error in caught.value.errors()] == [tuple(change)]
 
 
+@pytest.mark.parametrize(("moving", "field"), [("pinion", "rack_mass_kg"), ("rack", "drive_mass_kg")])
+def test_what_stands_has_no_moved_mass(moving: str, field: str):
+    with pytest.raises(ValidationError) as caught:
+        rack(**AXIS, moving=moving, **{field: 20})
+    assert [error["loc"] for error in caught.value.errors()] == [(field,)]
+    assert field.removesuffix("_kg") not in {name for name, _, _ in rack(**AXIS, moving=moving).defaults_taken()}
+
+
 AXES = st.fixed_dictionaries(
     {
         "slide_mass": st.floats(1, 2000), "inclination": st.floats(0.05, math.pi / 2), "module": st.floats(0.001, 0.01),
         "teeth": st.integers(15, 60), "helix_angle": st.floats(0, 0.5), "pinion_inertia": st.floats(0, 0.05),
-        "travelling_mass": st.floats(0, 100), "friction_coefficient": st.floats(0, 0.3),
+        "drive_mass": st.floats(0, 100), "friction_coefficient": st.floats(0, 0.3),
         "friction_force": st.floats(0, 500), "efficiency": st.floats(0.3, 1),
     }
 )  # fmt: skip
@@ -137,7 +148,7 @@ def test_losses_never_help(axis: dict[str, Any], motion: MotionProfile, model: s
 @FEW
 @given(AXES, st.floats(1, 300))
 def test_inertia_is_twice_the_kinetic_energy(axis: dict[str, Any], omega: float):
-    mass = axis["slide_mass"] + axis["travelling_mass"] + 25
+    mass = axis["slide_mass"] + axis["drive_mass"] + 25
     energy = mass * (omega * pitch_radius(axis)) ** 2 / 2 + axis["pinion_inertia"] * omega**2 / 2
     assert loaded(RackPinion.si(**axis), run((3, 1, 0), m=25.0)).cycle.inertia == pytest.approx(2 * energy / omega**2)
 
