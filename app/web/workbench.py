@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any
 
 from markupsafe import Markup
@@ -19,7 +18,6 @@ from app.services.errors import FieldError, InvalidInputError
 from app.services.mechanisms import MechanismKind
 from app.services.requests import ServoDriveRequest, SizingRequest
 from app.services.sizing import Sizing, SizingService
-from app.settings import PROJECT_ROOT
 from app.web.alternatives import AlternativesView
 from app.web.chart_views import ChartView, charts_of
 from app.web.form_data import fitted
@@ -237,10 +235,3 @@ def _result(
         charts=charts_of(sizing, translate),
         sizing=sizing,
     )
-
-
-@cache
-def drawing_of(file: str) -> Markup:
-    """A drawing as markup that stands in the page and takes its colours; empty where there is none (yet)."""
-    path = PROJECT_ROOT / "static" / "drawings" / file
-    return Markup(path.read_text(encoding="utf-8")) if path.is_file() else Markup("")

@@ -24,7 +24,7 @@ class Statics:
     forward: float
     """Steady motion in positive direction (up): signed torque the drive must give, no process force."""
     backward: float
-    """Steady motion in negative direction (down): signed in positive direction, so gravity alone gives a positive value."""
+    """Steady motion in negative direction (down): signed in positive direction, so gravity alone is positive."""
     holding: float
     """Standstill, without the help of friction; signed in positive direction."""
     working: float
@@ -42,7 +42,7 @@ class Load:
     cycle: LoadCycle
     statics: Statics
     opposite: LoadCycle | None = None
-    """The same motion in the opposite direction, for inclined and vertical axes: judged for peak torque and holding too."""
+    """The same motion in the opposite direction, for inclined and vertical axes: judged for peak and holding too."""
     results: dict[str, float] = field(default_factory=dict)
     """Headline results by sheet key, shown beside the drive's own."""
 

@@ -2,9 +2,9 @@
 
 from fastapi import APIRouter
 
-from app.web.api import catalogue, charts, examples, formulas, mechanisms, projects, selections, sizings
+from app.web.api import catalogue, charts, examples, formulas, mechanisms, projects, reports, selections, sizings
 from app.web.errors import problems
 
 router = APIRouter(prefix="/api/v1", responses=problems(400, 500))
-for part in (mechanisms, sizings, charts, selections, catalogue, projects, examples, formulas):
+for part in (mechanisms, sizings, charts, selections, catalogue, projects, examples, formulas, reports):
     router.include_router(part.router)

@@ -16,12 +16,13 @@ from app.services.projects import ProjectState
 from app.services.reading import parse_json
 from app.web.alternatives import Wanted
 from app.web.deps import LARGEST_VERSION, Examples, Projects, Selections, Sizings
+from app.web.drawings import drawing_of
 from app.web.form_data import flat
-from app.web.pages.workbench import searching, workbench_page
+from app.web.pages.workbench import report_of, searching, workbench_page
 from app.web.project_views import ProjectView, axis_errors, project_view, unused_name, with_axis
 from app.web.submission import Submission, Submitted
 from app.web.templating import page, translator
-from app.web.workbench import Axis, axis_of, drawing_of
+from app.web.workbench import Axis, axis_of
 
 router = APIRouter()
 CONFLICT = 412
@@ -128,6 +129,8 @@ def submit_axis(request: Request, token: Token, form: Submitted, projects: Proje
         alternatives=search,
     )
     view = project_view(request, token, state, index)
+    if form.action == "report" and axis.result.sizing is not None:
+        return report_of(axis, translator(request))
     if form.action != "save" or axis.refused:
         # the version that was edited stays in the form, so that saving later still notices a save in between
         view = replace(view, newest_version=form.version, version=form.version)

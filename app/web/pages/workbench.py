@@ -10,13 +10,15 @@ from markupsafe import Markup
 
 from app.services.errors import InvalidInputError
 from app.services.mechanisms import MechanismKind, mechanism_kind
+from app.services.reports import axis_report
 from app.web.alternatives import AlternativesView, Wanted, alternatives_of
 from app.web.deps import Examples, Projects, Selections, Sizings
+from app.web.drawings import drawing_of
 from app.web.form_data import nested
 from app.web.project_views import ProjectView, axis_errors, new_document
 from app.web.submission import Submitted
 from app.web.templating import page, translator
-from app.web.workbench import Axis, axis_of, drawing_of
+from app.web.workbench import Axis, axis_of
 
 router = APIRouter()
 UNPROCESSABLE = 422
@@ -89,6 +91,8 @@ def submit_workbench(
     mechanism, translate = mechanism_kind(kind), translator(request)
     search = searching(request, Wanted.of(form.lists), selections)
     axis = axis_of(mechanism, form.raw, sizings, translate, demanded=form.action != "update", alternatives=search)
+    if form.action == "report" and axis.result.sizing is not None:
+        return report_of(axis, translate)
     if form.action == "save" and not axis.refused:
         try:
             opened = projects.create(new_document(axis.raw, mechanism))
@@ -132,6 +136,16 @@ def workbench_page(
         url=url or f"/workbench/{mechanism.kind}",
     )
     return page(request, "workbench.html", context, UNPROCESSABLE if axis.refused else 200)
+
+
+def report_of(axis: Axis, translate: Callable[[str], str]) -> Response:
+    """The PDF report of a calculated axis."""
+    assert axis.result.sizing is not None
+    sizing = axis.result.sizing
+    made = axis_report(sizing, drawing_of(sizing.typed.request.mechanism.drawing), translate)
+    return Response(
+        made, media_type="application/pdf", headers={"Content-Disposition": 'inline; filename="report.pdf"'}
+    )
 
 
 def searching(
