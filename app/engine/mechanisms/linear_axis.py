@@ -59,6 +59,17 @@ class MovedBody(Protocol):
         """Record constant force and friction with one payload."""
 
 
+def force_on(body: MovedBody, motion: MotionProfile, gravity: float) -> FloatArray:
+    """Force that moves a body without viscous friction in each segment, positive forward, shape (n,) [N]."""
+    found: FloatArray = (
+        acceleration_force(body.moved_mass(motion.payload), motion.acceleration)
+        + body.constant_force(motion.payload, gravity)
+        + body.friction(motion.payload, gravity) * np.sign(motion.mean_speed)
+        + motion.process_force * motion.direction
+    )
+    return found
+
+
 @dataclass(frozen=True)
 class AxisWords:
     """How one kind of axis calls its force and its shaft."""
@@ -85,6 +96,8 @@ class LinearAxis:
     """On the shaft, before the losses [kg m2]"""
     rear_inertia: float = 0.0
     """Turning with the shaft, behind the losses [kg m2]"""
+    driven_inertia: float = 0.0
+    """Part of the rear inertia that the force between shaft and axis turns: idlers [kg m2]"""
 
     def moved_mass(self, payload: Any) -> Any:
         """All mass moved in a straight line [kg]."""
@@ -126,11 +139,9 @@ class LinearAxis:
         return self.cycle(motion.mirrored(), environment) if self.body.inclined else None
 
     def statics(self, motion: MotionProfile, environment: Environment) -> Statics:
-        """Torques without acceleration, with the largest payload of the cycle."""
-        payload, model, g = float(motion.payload.max()), environment.regeneration, environment.gravity
-        resisting = float(self.body.friction(payload, g))
-        resisting += float(viscous_friction(self.body.viscous_coefficient, motion.max_speed))
-        pull = float(self.body.constant_force(payload, g))
+        """Torques without acceleration, each with the payload of the cycle that asks for most."""
+        model, g = environment.regeneration, environment.gravity
+        resisting = self.resisting(float(motion.payload.max()), motion, g)
         working = (motion.process_force != 0) & (motion.mean_speed != 0)
         relevant = working if working.any() else motion.mean_speed != 0
         accelerating = acceleration_force(self.moved_mass(motion.payload), motion.acceleration)
@@ -138,19 +149,39 @@ class LinearAxis:
         speed = np.maximum(np.abs(motion.speed_start), np.abs(motion.speed_end))
         return Statics(
             friction=resisting * self.constant,
-            forward=float(self.torque(pull + resisting, 0.0, 1.0, model)),
-            backward=float(self.torque(pull - resisting, 0.0, -1.0, model)),
-            holding=pull * self.constant,
+            forward=float(self.torque(sum(self.steady_forces(motion, environment, 1.0)), 0.0, 1.0, model)),
+            backward=float(self.torque(sum(self.steady_forces(motion, environment, -1.0)), 0.0, -1.0, model)),
+            holding=sum(holding_forces(self.body, motion, g)) * self.constant,
             working=_largest(steady, relevant),
             rapid_speed=motion.max_speed / self.constant,
             working_speed=_largest(speed, relevant) / self.constant,
         )
 
+    def resisting(self, payload: float, motion: MotionProfile, gravity: float) -> float:
+        """Unsigned friction at the highest speed of the cycle [N]."""
+        viscous = viscous_friction(self.body.viscous_coefficient, motion.max_speed)
+        return float(self.body.friction(payload, gravity) + viscous)
+
+    def steady_forces(self, motion: MotionProfile, environment: Environment, direction: float) -> tuple[float, float]:
+        """Constant force and friction [N] at constant speed, with the payload of the largest torque: not always the
+        largest one, since a counterweight may outweigh an empty slide.
+        """
+        g, model = environment.gravity, environment.regeneration
+        cases = [
+            (float(self.body.constant_force(payload, g)), direction * self.resisting(payload, motion, g))
+            for payload in (float(motion.payload.max()), float(motion.payload.min()))
+        ]
+        return max(cases, key=lambda forces: abs(self.torque(sum(forces), 0.0, direction, model)))
+
     def largest_force(self, motion: MotionProfile, environment: Environment) -> float:
-        """Largest unsigned force between shaft and axis [N], in both directions of an inclined axis."""
+        """Largest unsigned force between shaft and axis [N], in both directions of an inclined axis.
+
+        A brake sits on the motor, so what it holds passes here too.
+        """
         runs = [motion, motion.mirrored()] if self.body.inclined else [motion]
-        moving = [np.where(run.braked, 0.0, self.force(run, environment.gravity)) for run in runs]
-        return float(np.abs(moving).max())
+        driven = self.driven_inertia / self.constant**2
+        found = [self.force(run, environment.gravity) + driven * run.acceleration for run in runs]
+        return float(np.abs(found).max())
 
     def transmission(self, payload: float, environment: Environment) -> LinearTransmission:
         """The axis as a transmission whose diameter can be chosen; its rotating parts are kept as they are."""
@@ -164,6 +195,19 @@ class LinearAxis:
             resisting_force=float(self.body.constant_force(payload, g) + self.body.friction(payload, g)),
             efficiency=self.efficiency,
         )
+
+
+def holding_forces(body: MovedBody, motion: MotionProfile, gravity: float) -> list[float]:
+    """Pull and process force at the standstill that is hardest to hold [N], signed, friction not counted.
+
+    Any payload of the cycle counts, the process force where the brake must hold against it; in both directions of an
+    inclined axis.
+    """
+    pull = np.broadcast_to(body.constant_force(motion.payload, gravity), motion.payload.shape)
+    process = np.where(motion.braked, motion.process_force * motion.direction, 0.0)
+    ways = [0.0 * process, process, -process] if body.inclined else [0.0 * process, process]
+    pairs = [(float(p), float(f)) for way in ways for p, f in zip(pull, way, strict=True)]
+    return list(max(pairs, key=lambda pair: abs(sum(pair))))
 
 
 def record_axis(
@@ -289,11 +333,8 @@ def _record_moment(axis: LinearAxis, sheet: Sheet, force: float, prefix: str) ->
 
 
 def _record_statics(axis: LinearAxis, sheet: Sheet, motion: MotionProfile, environment: Environment) -> None:
-    payload, g, name = float(motion.payload.max()), environment.gravity, axis.words.shaft
-    pull = float(axis.body.constant_force(payload, g))
-    viscous = float(viscous_friction(axis.body.viscous_coefficient, motion.max_speed))
-    friction = float(axis.body.friction(payload, g))
-    with sheet.section("Constant speed and standstill, largest payload, no process force"):
+    name = axis.words.shaft
+    with sheet.section("Constant speed without process force, and standstill"):
         for key, direction in (("forward", 1.0), ("backward", -1.0)):
             way = "positive direction" if direction > 0 else "negative direction"
             force = sheet(
@@ -301,15 +342,18 @@ def _record_statics(axis: LinearAxis, sheet: Sheet, motion: MotionProfile, envir
                 key=f"force_{key}",
                 symbol="F_st",
                 label=f"Force at constant speed, {way}",
-                F_k=_without_zeros([pull, direction * friction, direction * viscous]),
+                F_k=_without_zeros(list(axis.steady_forces(motion, environment, direction))),
             )
             moment = _record_moment(axis, sheet, force, f"{key}_")
             label = f"Torque at the {name} shaft at constant speed, {way}"
             key, model = f"{name}_torque_{key}", environment.regeneration
             record_stage(sheet, moment, direction, axis.efficiency, model, key=key, symbol="M_st", label=label)
-        if pull:
-            label = "Holding torque at standstill, without the help of friction"
-            sheet(torque_of_force, key="holding_torque", symbol="M_H", label=label, F=pull, A=axis.constant)
+        held = _without_zeros(holding_forces(axis.body, motion, environment.gravity))
+        if any(held):
+            label = "Force to be held at standstill, without the help of friction"
+            force = sheet(sum_of_forces, key="holding_force", symbol="F_H", label=label, F_k=held)
+            label = "Holding torque at standstill"
+            sheet(torque_of_force, key="holding_torque", symbol="M_H", label=label, F=force, A=axis.constant)
 
 
 def _largest(values: Any, where: NDArray[np.bool_]) -> float:

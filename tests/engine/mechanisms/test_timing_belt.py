@@ -237,6 +237,18 @@ def test_a_held_axis_needs_the_holding_torque_and_a_braked_one_nothing():
     assert found.cycle.torque == pytest.approx([15 * 9.81 * 0.05, 0])
 
 
+def test_an_empty_slide_may_ask_for_more_than_a_laden_one():
+    # 10 kg against 25 kg: laden with 20 kg the slide outweighs by 5 kg, empty the counterweight by 15 kg, r = 50 mm
+    axis = belt(**{**HOIST, "slide_mass_kg": 10, "friction_coefficient": 0})
+    motion = run((6, 3, 0), (-6, 3, 0), a=2.0)
+    motion.payload[:3] = 20
+    found, sheet = loaded(axis, motion), written(axis, motion)
+    empty = -15 * 9.81 * 0.05
+    assert found.cycle.torque[[1, 4]] == pytest.approx([5 * 9.81 * 0.05, empty])
+    assert (found.statics.forward, found.statics.backward, found.statics.holding) == pytest.approx((empty,) * 3)
+    assert sheet.value("holding_torque") == pytest.approx(empty)
+
+
 def test_its_transmission_is_that_of_the_cycle():
     axis = belt(**HOIST, drive_pulley_inertia_kgcm2=3)
     found = axis.transmission(10.0, Environment.si())
