@@ -23,6 +23,7 @@ from app.engine.formulas.resistance import acceleration_force, sum_of_forces, vi
 from app.engine.formulas.screw import lead_angle, screw_friction_by_diameter, thread_efficiency
 from app.engine.mechanisms.base import Load, Mechanism, Statics
 from app.engine.mechanisms.guided_axis import GuidedAxis, refused, without_zeros
+from app.engine.mechanisms.linear_axis import holding_forces
 from app.engine.mechanisms.phases import record_phases
 from app.engine.mechanisms.screw_shaft import ScrewShaft
 from app.engine.motion.profile import FloatArray, MotionProfile
@@ -248,11 +249,12 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
         for key, title, label, v in (
             ("rest_torque_upward", "Constant speed in positive direction (up)", "Steady torque, up", rapid),
             ("rest_torque_downward", "Constant speed in negative direction (down)", "Steady torque, down", -rapid),
-            ("holding_torque_at_screw", "Standstill", "Holding torque without the help of friction", 0.0),
         ):
             with sheet.section(title):
                 steady.append(self._steady(sheet, screw, environment, loads, v, key, label))
-        forward, backward, holding = steady
+        forward, backward = steady
+        with sheet.section("Standstill"):
+            holding = self._record_holding(sheet, screw, holding_forces(self, motion, environment.gravity))
         with sheet.section("Constant speed with process force"):
             working, working_speed = self._working(sheet, screw, motion, environment)
         return Statics(
@@ -281,6 +283,11 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
         worst = max(parts, key=lambda forces: abs(screw.torque(sum(forces), v, 0.0)))
         force = sheet(sum_of_forces, key=f"{key}_force", label="Force on the nut", F_k=without_zeros(worst))
         return screw.record(sheet, key, label, force, v, 0.0)
+
+    def _record_holding(self, sheet: Sheet, screw: _Screw, forces: list[float]) -> float:
+        key, label = "holding_torque_at_screw", "Holding torque without the help of friction"
+        force = sheet(sum_of_forces, key=f"{key}_force", label="Force on the nut", F_k=without_zeros(forces))
+        return screw.record(sheet, key, label, force, 0.0, 0.0)
 
     def _working(
         self, sheet: Sheet, screw: _Screw, motion: MotionProfile, environment: Environment

@@ -206,8 +206,9 @@ def holding_forces(body: MovedBody, motion: MotionProfile, gravity: float) -> li
     pull = np.broadcast_to(body.constant_force(motion.payload, gravity), motion.payload.shape)
     process = np.where(motion.braked, motion.process_force * motion.direction, 0.0)
     ways = [0.0 * process, process, -process] if body.inclined else [0.0 * process, process]
-    pairs = [(float(p), float(f)) for way in ways for p, f in zip(pull, way, strict=True)]
-    return list(max(pairs, key=lambda pair: abs(sum(pair))))
+    largest = max(ways, key=lambda way: float(np.abs(pull + way).max()))
+    k = int(np.abs(pull + largest).argmax())
+    return [float(pull[k]), float(largest[k])]
 
 
 def record_axis(

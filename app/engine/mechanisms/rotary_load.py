@@ -283,13 +283,17 @@ def _statics(motion: MotionProfile, resistances: _Resistances) -> Statics:
     against, external, friction = resistances.unbalance, resistances.external, resistances.friction
     working = (motion.process_force != 0) & (motion.mean_speed != 0)
     relevant = working if working.any() else motion.mean_speed != 0
+    process = np.where(motion.braked, motion.process_force * motion.direction, 0.0)
+    # the brake also holds what the process asks of it, in either direction of the motion
+    helped = np.concatenate((external + process, external - process))
+    held = float(helped[np.abs(helped).argmax()])
     steady = (friction + against) * motion.direction + external + motion.process_force * motion.direction
     speed = np.maximum(np.abs(motion.speed_start), np.abs(motion.speed_end))
     return Statics(
         friction=friction,
         forward=friction + against + external,
         backward=external - friction - against,
-        holding=external + float(np.copysign(against, external)),
+        holding=held + float(np.copysign(against, held)),
         working=float(np.abs(steady[relevant]).max()) if relevant.any() else 0.0,
         rapid_speed=motion.max_speed,
         working_speed=float(speed[relevant].max()) if relevant.any() else 0.0,

@@ -221,6 +221,7 @@ class TimingBelt(GuidedAxis, Mechanism):
             added_mass=belt,
             front_inertia=0.0 if whole else drive,
             rear_inertia=idler + drive if whole else idler,
+            driven_inertia=idler,
         )
 
     def _pulleys(self, sheet: Sheet, d: float) -> tuple[float, float]:
@@ -281,7 +282,7 @@ class TimingBelt(GuidedAxis, Mechanism):
             # the belt carries what the counterweight weighs, less what its own fall or lift takes
             counter = hanging * environment.gravity - acceleration_force(hanging, run.acceleration)
             slide = axis.force(run, environment.gravity) + counter
-            pulls = np.where(run.braked, 0.0, np.maximum(np.abs(slide), np.abs(counter)))
+            pulls = np.maximum(np.abs(slide), np.abs(counter))
             k = int(pulls.argmax())
             worst = max(worst, (float(pulls[k]), float(slide[k]), float(np.broadcast_to(counter, slide.shape)[k])))
         return sheet(largest_strand_force, key="largest_strand_force", F_V=pretension, F_C=worst[1], F_Z=worst[2])
