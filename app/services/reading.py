@@ -82,7 +82,10 @@ def engine_refusal(error: EngineError, raw: Any = None) -> InvalidInputError:
 def field_errors(errors: Iterable[ErrorDetails], model: type[BaseModel], raw: Any) -> list[FieldError]:
     """Say each of pydantic's errors in the reader's words, at the path that the reader knows."""
     found: dict[tuple[Path, str], FieldError] = {}
-    for error in errors:
+    told = list(errors)
+    for error in told:
+        if error["type"] == "too_short" and any(_deeper(other["loc"], error["loc"]) for other in told):
+            continue  # a list is not short: one of its entries was refused and is told itself
         path = reader_path(error["loc"], raw, missing=error["type"] == "missing")
         if error["type"].startswith("union_tag"):
             path = (*path, str(error.get("ctx", {}).get("discriminator", "kind")).strip("'"))
@@ -91,6 +94,10 @@ def field_errors(errors: Iterable[ErrorDetails], model: type[BaseModel], raw: An
         if len(found) >= MAX_ERRORS:
             break
     return list(found.values())
+
+
+def _deeper(location: tuple[str | int, ...], outer: tuple[str | int, ...]) -> bool:
+    return len(location) > len(outer) and location[: len(outer)] == outer
 
 
 def reader_path(location: tuple[str | int, ...], raw: Any, *, missing: bool = False) -> Path:
