@@ -16,7 +16,7 @@ from pathlib import Path
 import ensure_chromium
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGE = "/"
+PAGE = "/workbench/ball_screw?example=lachman-ball-screw-axis&request=main#charts"
 TARGET = ROOT / "docs" / "workbench.png"
 START_SECONDS = 60.0
 
@@ -48,6 +48,8 @@ def photograph(address: str, browser_path: str) -> None:
         browser = playwright.chromium.launch(executable_path=browser_path, args=["--no-sandbox", "--disable-gpu"])
         page = browser.new_page(viewport={"width": 1440, "height": 900})
         page.goto(address, wait_until="networkidle")
+        page.locator(".workbench-result").evaluate("(result) => result.scrollTo(0, 0)")
+        page.wait_for_timeout(1500)  # the chart script draws after it has been fetched
         page.screenshot(path=TARGET)
         browser.close()
 
