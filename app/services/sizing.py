@@ -165,6 +165,7 @@ def demand_of(request: SizingRequest, sheet: Sheet) -> Demand:
         part = getattr(request, name)
         if part is not None:
             sheet.assume_defaults(part, f"{name}.")
+    request.environment.check(sheet)
     with located("motion"), sheet.section("Motion"):
         profile = request.motion.solve(sheet)
         if profile.kind != request.mechanism.motion_kind:

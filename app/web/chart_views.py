@@ -36,10 +36,12 @@ class ChartView:
     series: tuple[SeriesView, ...]
 
 
-def charts_of(sizing: Sizing, translate: Callable[[str], str]) -> tuple[ChartView, ...]:
-    """Every chart of one sizing."""
+def charts_of(
+    sizing: Sizing, translate: Callable[[str], str], *, four_quadrants: bool = False
+) -> tuple[ChartView, ...]:
+    """Every chart of one sizing; ``four_quadrants`` keeps the signs of speed and torque."""
     figures = {
-        "torque-speed": torque_speed_figure(sizing.drive, translate),
+        "torque-speed": torque_speed_figure(sizing.drive, translate, four_quadrants=four_quadrants),
         "cycle": cycle_figure(sizing.drive, sizing.load.cycle, translate),
     }
     return tuple(chart_view(key, figure) for key, figure in figures.items())

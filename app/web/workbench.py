@@ -105,6 +105,7 @@ class ResultView:
     parts: tuple[PartLine, ...] = ()
     sheet: SheetView | None = None
     charts: tuple[ChartView, ...] = ()
+    four_quadrants: bool = False
     alternatives: AlternativesView | None = None
     sizing: Sizing | None = None
 
@@ -142,6 +143,7 @@ def axis_of(
     demanded: bool = False,
     further: Iterable[FieldError] = (),
     alternatives: Callable[[Mapping[str, Any]], AlternativesView] | None = None,
+    four_quadrants: bool = False,
 ) -> Axis:
     """Calculate what was typed. Where entries are missing this is no error unless the result was demanded.
 
@@ -158,6 +160,9 @@ def axis_of(
     wrong = [error for error in refused if error not in missing]
     form, needed = _form(kind, typed, wrong, missing)
     result = _result(sizing, form.errors, needed, translate)
+    if sizing is not None:
+        charts = charts_of(sizing, translate, four_quadrants=four_quadrants)
+        result = replace(result, charts=charts, four_quadrants=four_quadrants)
     if sizing is not None and alternatives is not None:
         result = replace(result, alternatives=alternatives(typed))
     return Axis(typed, form, result)
@@ -232,6 +237,5 @@ def _result(
             for role, product in sizing.parts.chosen()
         ),
         sheet=view,
-        charts=charts_of(sizing, translate),
         sizing=sizing,
     )

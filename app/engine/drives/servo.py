@@ -149,9 +149,20 @@ def _case(
         limits.assume(sheet)
     if gear is None:
         sheet.decide("The motor drives the load directly", "no gear unit is given")
+    _decide_brake(load, rules, sheet)
     return ServoCase(
         load, motor, rules, MotorShaft(load, transmission, rotor or 0.0), rotor, missing, limits, needs_brake
     )
+
+
+def _decide_brake(load: Load, rules: ServoRules, sheet: Sheet) -> None:
+    """Say what a motor without brake leaves to others, where the axis would need one."""
+    if rules.brake != "no" or not brake_needed(load, rules.model_copy(update={"brake": "auto"})):
+        return
+    if bool(load.cycle.braked.any()):
+        sheet.decide("A brake outside the motor holds the axis", "none is wanted in the motor: it is not judged here")
+    else:
+        sheet.decide("Nothing but the motor holds the axis", "it does not rest by itself and no brake is wanted")
 
 
 def _record_ratio_bounds(case: ServoCase, sheet: Sheet) -> None:

@@ -48,9 +48,10 @@ class MovingMass(Declared):
     weight_acts: Annotated[
         bool,
         Option(
-            default=False, about="its weight acts on the drive where the axis is inclined", source="off: guided apart"
+            default=True, about="its weight acts on the drive where the axis is inclined",
+            source="on the safe side: a weight forgotten on a slope is the worse mistake",
         ),
-    ]
+    ]  # fmt: skip
     guided: Annotated[
         bool,
         Option(default=False, about="it rests on the guides and adds to their friction", source="off: guided apart"),

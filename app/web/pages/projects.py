@@ -18,7 +18,7 @@ from app.web.alternatives import Wanted
 from app.web.deps import LARGEST_VERSION, Examples, Projects, Selections, Sizings
 from app.web.drawings import drawing_of
 from app.web.form_data import flat
-from app.web.pages.workbench import report_of, searching, workbench_page
+from app.web.pages.workbench import report_of, searching, wants_signs, workbench_page
 from app.web.project_views import ProjectView, axis_errors, project_view, unused_name, with_axis
 from app.web.submission import Submission, Submitted
 from app.web.templating import page, translator
@@ -127,6 +127,7 @@ def submit_axis(request: Request, token: Token, form: Submitted, projects: Proje
         translator(request),
         demanded=form.action != "update",
         alternatives=search,
+        four_quadrants=wants_signs(form),
     )
     view = project_view(request, token, state, index)
     if form.action == "report" and axis.result.sizing is not None:

@@ -16,7 +16,7 @@ from app.web.deps import Examples, Projects, Selections, Sizings
 from app.web.drawings import drawing_of
 from app.web.form_data import nested
 from app.web.project_views import ProjectView, axis_errors, new_document
-from app.web.submission import Submitted
+from app.web.submission import Submission, Submitted
 from app.web.templating import page, translator
 from app.web.workbench import Axis, axis_of
 
@@ -90,7 +90,15 @@ def submit_workbench(
     """Calculate, change the form, or save: always with everything as it was typed."""
     mechanism, translate = mechanism_kind(kind), translator(request)
     search = searching(request, Wanted.of(form.lists), selections)
-    axis = axis_of(mechanism, form.raw, sizings, translate, demanded=form.action != "update", alternatives=search)
+    axis = axis_of(
+        mechanism,
+        form.raw,
+        sizings,
+        translate,
+        demanded=form.action != "update",
+        alternatives=search,
+        four_quadrants=wants_signs(form),
+    )
     if form.action == "report" and axis.result.sizing is not None:
         return report_of(axis, translate)
     if form.action == "save" and not axis.refused:
@@ -107,7 +115,10 @@ def submit_workbench(
 def show_result(request: Request, kind: str, form: Submitted, sizings: Sizings, selections: Selections) -> Response:
     """What follows from the entries, as the part of the page that shows it: for recalculating while typing."""
     search = searching(request, Wanted.of(form.lists), selections)
-    axis = axis_of(mechanism_kind(kind), form.raw, sizings, translator(request), alternatives=search)
+    axis = axis_of(
+        mechanism_kind(kind), form.raw, sizings, translator(request), alternatives=search,
+        four_quadrants=wants_signs(form),
+    )  # fmt: skip
     return page(request, "partials/result/result.html", AxisPart(axis))
 
 
@@ -146,6 +157,11 @@ def report_of(axis: Axis, translate: Callable[[str], str]) -> Response:
     return Response(
         made, media_type="application/pdf", headers={"Content-Disposition": 'inline; filename="report.pdf"'}
     )
+
+
+def wants_signs(form: Submission) -> bool:
+    """Whether the reader asks for all four quadrants of the torque-speed chart."""
+    return form.steering.get("quadrants") == "4"
 
 
 def searching(

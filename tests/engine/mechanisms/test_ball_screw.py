@@ -121,8 +121,8 @@ def test_friction_counts_per_guided_body():
     assert load(apart, ROUND_TRIP)[1].value("friction_force") == pytest.approx(0.1 * (400 + 20) * 9.81 + 50)
 
 
-def test_weight_of_a_further_mass_acts_only_where_it_says_so():
-    bodies = [{"mass_kg": 20, "weight_acts": True}, {"mass_kg": 30}]
+def test_weight_of_a_further_mass_acts_unless_it_is_carried_elsewhere():
+    bodies = [{"mass_kg": 20}, {"mass_kg": 30, "weight_acts": False}]
     found, sheet = load({**PLAIN, "inclination_deg": 30, "further_masses": bodies}, ROUND_TRIP)
     assert sheet.value("gravity_force") == pytest.approx(420 * 9.81 / 2)
     A = 0.02 / (2 * math.pi)

@@ -68,7 +68,9 @@ def test_every_answer_has_a_schema_and_every_error_is_a_problem(described: dict[
             if status == "204":
                 assert "content" not in response, where
             elif status.startswith("2"):
-                assert response["content"]["application/json"]["schema"], where
+                kinds = {"application/pdf"} if path.endswith("/reports") else {"application/json"}
+                assert set(response["content"]) == kinds, where
+                assert all(one["schema"] for one in response["content"].values()), where
             else:
                 schema = response["content"]["application/problem+json"]["schema"]
                 assert schema == {"$ref": REFERENCE + "Problem"}, where

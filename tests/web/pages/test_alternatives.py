@@ -59,3 +59,13 @@ def test_a_candidate_is_taken_over_with_everything_else_as_typed(
     assert 'name="mechanism.slide_mass_kg" value="400"' in answer.text
     compared = result(client, [*axis, *(("_alt_compare", key) for key in found[:3])])
     assert len(re.findall(r"<th scope=\"col\">[^<]+<br>", compared.split("comparison", 1)[1])) == 3
+
+
+def test_four_quadrants_are_shown_on_request(client: "TestClient", axis: list[tuple[str, str]]) -> None:
+    def lowest_speed(text: str) -> float:
+        figure = json.loads(re.search(r"data-figure>(.*?)</script>", text, re.S)[1])  # type: ignore[index]
+        return float(min(figure["data"][0]["x"]))
+
+    assert lowest_speed(result(client, axis)) == 0
+    # rapid down: 30 m/min over a lead of 20 mm, 1500 rpm backwards
+    assert lowest_speed(result(client, [*axis, ("_quadrants", "4")])) == pytest.approx(-1500)
