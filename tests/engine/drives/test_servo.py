@@ -142,6 +142,16 @@ def test_a_brake_in_the_pause_relieves_the_motor_of_holding():
     assert checked(braked, weightless)[0].effective_torque == pytest.approx(sqrt(16 / 2))
 
 
+def test_an_axis_that_needs_a_brake_and_gets_none_in_the_motor_is_told_apart():
+    braked = load(cycle((1, 0, 10, 4, False), (1, 0, 0, 0, True)), holding=3.0)
+    falling = load(cycle((1, 0, 10, 4, False), (1, 0, 0, 3, False)), holding=3.0)
+    resting = load(cycle((1, 0, 10, 4, False), (1, 0, 0, 0, False)))
+    said = [{decision.text for decision in checked(one, motor(), rules=NO_BRAKE)[1].decisions}
+            for one in (braked, falling, resting)]  # fmt: skip
+    outside, nothing = "A brake outside the motor holds the axis", "Nothing but the motor holds the axis"
+    assert [sorted(texts & {outside, nothing}) for texts in said] == [[outside], [nothing], []]
+
+
 def test_brake_is_needed_where_the_axis_does_not_rest():
     at_rest = load(cycle((1, 0, 10, 4, False)), friction=4.0)
     hanging = load(cycle((1, 0, 10, 4, False)), friction=1.0, holding=-3.0)
