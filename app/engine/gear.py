@@ -14,7 +14,7 @@ from app.engine.drives.rules import CHECK_NAMES, ServoRules
 from app.engine.environment import Environment
 from app.engine.formulas.conversion import speed_before_ratio, torque_before_ratio
 from app.engine.formulas.duty import equivalent_output_torque, mean_speed
-from app.engine.formulas.efficiency import RegenerationModel, record_stage, regenerative_factor, through_stage
+from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.gear import emergency_torque_by_factor, emergency_torque_of_brake, peak_output_torque
 from app.engine.mechanisms.base import Load
 from app.engine.products import ServoGearUnit, ServoMotor
@@ -66,12 +66,6 @@ class Transmission:
         if own is None:
             raise ValueError(self.missing)
         return own + self.coupling_inertia
-
-    @cached_property
-    def factors(self) -> dict[int, float]:
-        """Factor on the output torque by direction of power (1 driving, -1 returning, 0 holding): p_s."""
-        back = float(regenerative_factor(self.efficiency, self.regeneration))
-        return {1: 1 / (self.efficiency * self.ratio), -1: back / self.ratio, 0: 1 / self.ratio}
 
     def load_torque(self, cycle: LoadCycle) -> FloatArray:
         """Torque of the load on the motor shaft in every segment, shape (n,) [N m]; the rotor is not in it."""
