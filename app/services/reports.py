@@ -35,12 +35,14 @@ def axis_report(sizing: Sizing, drawing: str = "", translate: Translate = str, l
 
 
 def printable(markup: str) -> str:
-    """An SVG without the colours of a page: custom properties by their fall-back, the text colour by ink.
+    """An SVG without the colours of a page: custom properties by their fall-back, text by ink, ground by white.
 
     >>> printable('<path stroke="var(--line, #ddd)" fill="currentColor"/>')
     '<path stroke="#ddd" fill="#1b2026"/>'
+    >>> printable('<rect fill="Canvas"/>')
+    '<rect fill="#fff"/>'
     """
-    return _VARIABLE.sub(lambda found: found[1].strip(), markup).replace("currentColor", INK)
+    return _VARIABLE.sub(lambda found: found[1].strip(), markup).replace("currentColor", INK).replace('"Canvas"', '"#fff"')
 
 
 def _title_block(sizing: Sizing, translate: Translate) -> Iterator[tuple[str, str]]:
