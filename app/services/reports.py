@@ -42,7 +42,8 @@ def printable(markup: str) -> str:
     >>> printable('<rect fill="Canvas"/>')
     '<rect fill="#fff"/>'
     """
-    return _VARIABLE.sub(lambda found: found[1].strip(), markup).replace("currentColor", INK).replace('"Canvas"', '"#fff"')
+    plain = _VARIABLE.sub(lambda found: found[1].strip(), markup)
+    return plain.replace("currentColor", INK).replace('"Canvas"', '"#fff"')
 
 
 def _title_block(sizing: Sizing, translate: Translate) -> Iterator[tuple[str, str]]:
