@@ -115,3 +115,141 @@ class ServoDrive(Product):
     """How long the peak current may flow [s]"""
     motor_power: float | None = None
     """[W]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Winding:
+    """Rated data of one winding of an induction motor at one voltage and frequency."""
+
+    poles: int
+    """Number of poles (twice the pole pairs)"""
+    frequency: float
+    """[Hz]"""
+    rated_power: float
+    """P_N [W]"""
+    rated_speed: float | None = None
+    """n_N [rad/s]"""
+    rated_torque: float | None = None
+    """M_N [N m]; None: follows from power and speed"""
+    voltage: float | None = None
+    """[V]"""
+    rated_current: float | None = None
+    """I_N, rms [A]"""
+    power_factor: float | None = None
+    efficiency: float | None = None
+    """At rated load, 0 to 1"""
+    starting_torque_ratio: float | None = None
+    """M_A / M_N"""
+    run_up_torque_ratio: float | None = None
+    """M_H / M_N, mean over the run-up"""
+    run_up_torque: float | None = None
+    """M_H [N m] where the source gives it itself"""
+    breakdown_torque_ratio: float | None = None
+    """M_K / M_N"""
+    starting_current_ratio: float | None = None
+    """I_A / I_N"""
+    no_load_starting_frequency: float | None = None
+    """Z_0: permitted starts without load [1/s]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class InductionMotor(Product):
+    """A three-phase cage motor; a pole-changing one has two windings, the low-speed one (most poles) first."""
+
+    windings: tuple[Winding, ...]
+    rotor_inertia: float | None = None
+    """J_M without brake [kg m2]"""
+    rotor_inertia_with_brake: float | None = None
+    """J_M with brake [kg m2]"""
+    mass: float | None = None
+    """[kg]"""
+    frame_size: float | None = None
+    """Shaft height H (IEC 60072) [m]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class MotorBrake(Product):
+    """A spring-applied brake on the motor."""
+
+    fits_motor: str = ""
+    torque: float | None = None
+    """M_B [N m]"""
+    min_torque: float | None = None
+    """Lowest setting [N m]"""
+    inertia: float | None = None
+    """[kg m2]"""
+    work_until_adjustment: float | None = None
+    """W_N [J]"""
+    max_work_per_operation: float | None = None
+    """[J]"""
+    release_time: float | None = None
+    """t_1 [s]"""
+    application_time_ac: float | None = None
+    """t_2, cut off in the AC circuit [s]"""
+    application_time_dc: float | None = None
+    """t_2, cut off in the DC and AC circuit [s]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class GearUnit(Product):
+    """One ratio of an industrial gear unit."""
+
+    kind: str | None = None
+    """``helical``, ``worm`` ... as the source says."""
+    ratio: float
+    """i = n_in / n_out"""
+    stages: int | None = None
+    max_output_torque: float | None = None
+    """M_a,max [N m]"""
+    reference_input_speed: float | None = None
+    """Input speed that the torque holds for [rad/s]"""
+    max_input_speed: float | None = None
+    """[rad/s]"""
+    efficiency: float | None = None
+    """0 to 1"""
+    permissible_overhung_load: float | None = None
+    """F_Ra, at the middle of the shaft end [N]"""
+    service_factor: float | None = None
+    """f_B that the source prints with the torque."""
+    inertia: float | None = None
+    """Referred to the input shaft [kg m2]"""
+    backlash: float | None = None
+    """[rad] at the output"""
+    mass: float | None = None
+    """[kg]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inverter(Product):
+    """One frequency inverter."""
+
+    supply_voltage: float | None = None
+    phases: int | None = None
+    motor_power: float | None = None
+    """Recommended motor [W]"""
+    rated_current: float | None = None
+    """rms [A]"""
+    overload_current: float | None = None
+    """rms [A]"""
+    overload_time: float | None = None
+    """How long the overload current may flow [s]"""
+    min_braking_resistance: float | None = None
+    """[ohm]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BrakingResistor(Product):
+    """One braking resistor with its rating by duty."""
+
+    resistance: float | None = None
+    """[ohm]"""
+    ratings: tuple[tuple[float, float], ...] = ()
+    """Points (duty from 0 to 1, permitted power [W]) by rising duty, as listed."""
+    duty_cycle_time: float | None = None
+    """Time that the duty refers to [s]"""
+    peak_power: float | None = None
+    """[W]"""
+    pulse_energy: float | None = None
+    """[J]"""
+    mass: float | None = None
+    """[kg]"""

@@ -4,7 +4,7 @@ A sheet belongs to one calculation and is handed down; nothing is kept at module
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -15,6 +15,7 @@ import numpy as np
 from app.engine.errors import RangeError
 from app.engine.formula import Formula
 from app.engine.quantity import Declared, Quantity, from_si
+from app.engine.tables import Table
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -145,6 +146,8 @@ class Sheet:
     assumptions: list[Assumption] = field(default_factory=list)
     decisions: list[Decision] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
+    tables: Mapping[str, Table] = field(default_factory=dict)
+    """Tabulated charts that a look-up may use, by key."""
     _section: str = ""
 
     def __call__(
@@ -193,6 +196,24 @@ class Sheet:
         """Record something that was taken because the user gave nothing, once per key."""
         if all(known.key != key for known in self.assumptions):
             self.assumptions.append(Assumption(key, text, symbol, value, unit, source))
+
+    def look_up(
+        self, key: str, text: str, *, x: float, family: float = 0.0, symbol: str = "", unit: str = "1",
+        given: float | None = None,
+    ) -> float | None:  # fmt: skip
+        """The value read from a tabulated chart, recorded as an assumption; ``given``, the user's own, goes before it.
+
+        ``key`` is that of the table, ``text`` says what is read. None where there is no such table or no value at
+        ``x`` and ``family``: then what needs it cannot be checked. Several readings of one table are all recorded.
+        """
+        if given is not None:
+            return given
+        table = self.tables.get(key)
+        value = None if table is None else table.value(x, family)
+        if table is not None and value is not None:
+            taken = _unique(f"table.{key}", {known.key for known in self.assumptions})
+            self.assume(taken, text, value=value, unit=unit, symbol=symbol, source=f"{table.title}: {table.source}")
+        return value
 
     def assume_defaults(self, model: Declared, path: str = "") -> None:
         """Record each default of a model that the user has not confirmed, nested models included."""

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 from pydantic import field_validator
 from pydantic_core import PydanticCustomError
 
-from app.engine.products import ServoGearUnit, ServoMotor
+from app.engine.products import Product, ServoGearUnit, ServoMotor
 from app.engine.quantity import Declaration, Declared, Option, Quantity
 
 _SOURCE = "own input"
@@ -14,7 +14,13 @@ _NO_ASSUMPTIONS = {"name", "continuous_curve", "peak_curve"}
 """Inputs whose default decides nothing."""
 
 
-class _OwnProduct(Declared):
+class OwnProduct(Declared):
+    """A product as its data sheet prints it."""
+
+    def product(self) -> Product:
+        """The product as a record of the engine, in SI."""
+        raise NotImplementedError
+
     def defaults_taken(self) -> Iterator[tuple[str, Declaration, Any]]:
         """As in the base, without those that decide nothing."""
         yield from (found for found in super().defaults_taken() if found[0] not in _NO_ASSUMPTIONS)
@@ -43,7 +49,7 @@ class CurvePoint(Declared):
     torque: Annotated[float, Quantity("N m", symbol="M", ge=0, le=1e7, about="torque")]
 
 
-class OwnServoMotor(_OwnProduct):
+class OwnServoMotor(OwnProduct):
     """A servo motor as its data sheet prints it; what is left empty is not checked."""
 
     name: Annotated[str, Option(default="own motor", about="name of the motor", group="Own motor")]
@@ -87,7 +93,7 @@ class OwnServoMotor(_OwnProduct):
         return ServoMotor(id="own", manufacturer="", series="", model=self.name, source=_SOURCE, **values)
 
 
-class OwnGearUnit(_OwnProduct):
+class OwnGearUnit(OwnProduct):
     """A gear unit as its data sheet prints it; what is left empty is not checked."""
 
     name: Annotated[str, Option(default="own gear unit", about="name of the gear unit", group="Own gear unit")]

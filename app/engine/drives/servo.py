@@ -1,13 +1,16 @@
 """Servo drive: motor, gear unit and amplifier against one load, every step and check on the sheet."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import ClassVar, Literal
 
 import numpy as np
 
-from app.engine.cycle import FloatArray, LoadCycle
+from app.engine.cycle import LoadCycle
+from app.engine.drives.base import DriveModel, DriveResult, Given, ShaftPoints
 from app.engine.drives.case import ServoCase
 from app.engine.drives.lachman import check_lachman
 from app.engine.drives.limits import ServoLimits
+from app.engine.drives.parts import GearUnitChoice, MotorChoice, ServoDriveChoice
 from app.engine.drives.rules import LACHMAN_INERTIA_LIMIT, ServoRules, brake_needed, permitted_speed, rotor_inertia
 from app.engine.drives.shaft import MotorShaft, record_inertias, record_speeds, record_torques
 from app.engine.drives.usual import check_usual
@@ -17,7 +20,7 @@ from app.engine.gear import Transmission, check_gear_unit
 from app.engine.inverter import Currents, check_drive, record_currents
 from app.engine.mechanisms.base import Load
 from app.engine.products import ServoDrive, ServoGearUnit, ServoMotor
-from app.engine.sheet import Check, Sheet, Verdict, verdict
+from app.engine.sheet import Check, Sheet
 
 HEADLINES = (
     "motor_speed_max", "mean_speed", "motor_angular_acceleration", "load_inertia_on_motor", "external_inertia_on_motor",
@@ -28,60 +31,43 @@ HEADLINES = (
 )  # fmt: skip
 """Sheet keys of the numbers that a result carries itself."""
 
-
-@dataclass(frozen=True)
-class ShaftPoints:
-    """One cycle as the motor sees it; all arrays of shape (n,) unless said."""
-
-    time: FloatArray
-    """Segment borders from 0, shape (n + 1,) [s]"""
-    speed_start: FloatArray
-    """Motor speed at the start of each segment, signed [rad/s]"""
-    speed_end: FloatArray
-    torque: FloatArray | None
-    """Motor torque in each segment, signed [N m]; None where the gear unit's data do not suffice."""
-    label: tuple[str, ...]
+SHOWN_FIRST = ("motor_speed_max", "peak_torque", "effective_torque", "mean_speed", "inertia_ratio")
+"""Sheet keys of the numbers shown before all others."""
 
 
-@dataclass(frozen=True)
-class ServoResult:
+@dataclass(frozen=True, kw_only=True)
+class ServoResult(DriveResult):
     """What a servo drive does on one load: points for charts, headline numbers and checks."""
 
     motor: ServoMotor | None
     gear: ServoGearUnit | None
     drive: ServoDrive | None
-    ratio: float
     rotor: float | None
     """Rotor inertia that was used [kg m2]; None where it is not known, 0 without a motor."""
     brake_needed: bool
-    cycle: ShaftPoints
-    opposite: ShaftPoints | None
-    limits: ServoLimits | None
-    mean_speed: float
-    """[rad/s]"""
-    effective_torque: float | None
-    """[N m]"""
-    peak_torque: float | None
-    """[N m]"""
     currents: Currents
-    checks: tuple[Check, ...]
-    numbers: dict[str, float] = field(default_factory=dict)
-    """Headline numbers by sheet key, SI."""
 
-    @property
-    def utilisation(self) -> float | None:
-        """Largest utilisation of all checks that could be made; None without any."""
-        return max((used for check in self.checks if (used := check.utilisation) is not None), default=None)
 
-    @property
-    def verdict(self) -> Verdict:
-        """Verdict on the largest utilisation."""
-        return verdict(self.utilisation)
+class ServoDriveModel(ServoRules, DriveModel):
+    """A servo drive: the rules it is judged by, and its parts as far as they are chosen.
 
-    @property
-    def not_checked(self) -> tuple[Check, ...]:
-        """Checks that could not be made."""
-        return tuple(check for check in self.checks if check.verdict == Verdict.NOT_CHECKED)
+    Without a motor the result is the demand at the motor shaft, with a rotor inertia of zero.
+    """
+
+    title: ClassVar[str] = "Servo drive"
+    summary: ClassVar[str] = "Servomotor with low-backlash gear unit and amplifier, for positioning."
+
+    kind: Literal["servo"] = "servo"
+    motor: MotorChoice | None = None
+    gear_unit: GearUnitChoice | None = None
+    servo_drive: ServoDriveChoice | None = None
+
+    def check(self, given: Given, sheet: Sheet) -> ServoResult:
+        """Check motor, gear unit and servo drive against the load."""
+        return check_servo(
+            given.load, given.product("motor"), given.product("gear_unit"), given.product("servo_drive"), self,
+            given.environment, sheet,
+        )  # fmt: skip
 
 
 def check_servo(
@@ -210,6 +196,7 @@ def _result(
     shaft = case.shaft
     known = not case.torque_missing
     return ServoResult(
+        headlines=SHOWN_FIRST,
         motor=case.motor,
         gear=gear,
         drive=drive,
