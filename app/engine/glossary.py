@@ -133,6 +133,8 @@ _TERMS: tuple[tuple[str, str, str], ...] = (
     ("t t_k", "time or duration", "s"),
     ("t_A", "time of accelerating", "s"),
     ("t_D", "time of braking", "s"),
+    ("t_cyc", "length of a cycle", "s"),
+    ("t_on", "time under load in a cycle", "s"),
     ("t_set", "settling time", "s"),
     ("v v_k", "speed", "m/s"),
     ("x", "length of a screw under load", "m"),

@@ -1,7 +1,7 @@
 """What a whole cycle means for a motor and a gear unit: effective torque, mean speed, equivalent torque."""
 
 from app.engine.formula import formula, sqrt, total
-from app.engine.units import NewtonMetre, RadPerSecond, Second
+from app.engine.units import NewtonMetre, One, RadPerSecond, Second
 
 
 @formula(symbol="M_eff", unit="N m", source="IEC 60034-1, duty types; SEW 2001, 16.4")
@@ -41,3 +41,15 @@ def equivalent_output_torque(T_k: NewtonMetre, omega_k: RadPerSecond, t_k: Secon
     12.331...
     """
     return (total(abs(T_k) ** 3 * abs(omega_k) * t_k) / total(abs(omega_k) * t_k)) ** (1 / 3)
+
+
+@formula(symbol="ED", unit="%", source="IEC 60034-1: cyclic duration factor")
+def duty_share(t_on: Second, t_cyc: Second) -> One:
+    """Share of the cycle in which the motor is switched on, 0 to 1.
+
+    ``t_on`` time under load in a cycle, ``t_cyc`` length of the cycle.
+
+    >>> duty_share(24.0, 60.0)
+    0.4
+    """
+    return t_on / t_cyc

@@ -205,6 +205,7 @@ class BeltConveyor(Mechanism):
             cycle=cycle,
             statics=axis.statics(motion, environment),
             opposite=axis.opposite(motion, environment),
+            states=axis.states(motion, environment),
             results={"drum_speed": cycle.max_speed, "load_inertia_at_drum": cycle.inertia},
         )
         stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)

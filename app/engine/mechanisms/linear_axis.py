@@ -22,8 +22,9 @@ from app.engine.formulas.conversion import (
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.inertia import linear_mass_inertia, sum_of_inertias
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces, viscous_friction
-from app.engine.mechanisms.base import Statics
+from app.engine.mechanisms.base import LoadState, Statics
 from app.engine.mechanisms.phases import record_phases
+from app.engine.mechanisms.states import TRAVELLING, Words, steady_runs
 from app.engine.motion.profile import FloatArray, MotionProfile
 from app.engine.sheet import Sheet
 from app.engine.transmission import LinearTransmission
@@ -137,6 +138,36 @@ class LinearAxis:
     def opposite(self, motion: MotionProfile, environment: Environment) -> LoadCycle | None:
         """The same motion in the opposite direction, where that makes a difference."""
         return self.cycle(motion.mirrored(), environment) if self.body.inclined else None
+
+    def states(
+        self,
+        motion: MotionProfile,
+        environment: Environment,
+        *,
+        permissible_acceleration: float | None = None,
+        also_unladen: bool = False,
+        words: Words = TRAVELLING,
+    ) -> tuple[LoadState, ...]:
+        """States of load at the shaft, in both directions where they differ; see :func:`steady_runs`."""
+        g = environment.gravity
+        runs = steady_runs(motion, both_directions=self.body.inclined, also_unladen=also_unladen, words=words)
+        found = []
+        for run in runs:
+            parts = [
+                run.direction * float(self.body.constant_force(run.payload, g)),
+                float(self.body.friction(run.payload, g)),
+                float(viscous_friction(self.body.viscous_coefficient, run.speed)),
+                run.process_force,
+            ]
+            inertia = linear_mass_inertia(self.moved_mass(run.payload), self.constant) + self.rear_inertia
+            found.append(LoadState(
+                key=run.key, label=run.label, direction=run.direction,
+                torque=float(torque_of_force(sum(parts), self.constant)), inertia=float(inertia),
+                front_inertia=self.front_inertia, speed=run.speed / self.constant, efficiency=self.efficiency,
+                travel=self.constant, permissible_acceleration=permissible_acceleration, starts=run.starts,
+                duration=run.duration,
+            ))  # fmt: skip
+        return tuple(found)
 
     def statics(self, motion: MotionProfile, environment: Environment) -> Statics:
         """Torques without acceleration, each with the payload of the cycle that asks for most."""

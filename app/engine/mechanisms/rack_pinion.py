@@ -136,6 +136,7 @@ class RackPinion(GuidedAxis, Mechanism):
             cycle=cycle,
             statics=axis.statics(motion, environment),
             opposite=axis.opposite(motion, environment),
+            states=axis.states(motion, environment),
             results={"pinion_speed": shaft_speed(motion.max_speed, radius), "load_inertia_at_pinion": cycle.inertia},
         )
 

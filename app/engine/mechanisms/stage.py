@@ -16,7 +16,7 @@ from app.engine.formulas.conversion import (
 )
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
-from app.engine.mechanisms.base import Load, Statics
+from app.engine.mechanisms.base import Load, LoadState, Statics
 from app.engine.mechanisms.phases import largest
 from app.engine.sheet import Sheet
 
@@ -44,6 +44,27 @@ class Stage:
             cycle=self.cycle(behind.cycle, model),
             statics=self.statics(behind.statics, model),
             opposite=opposite,
+            states=tuple(self.state(one) for one in behind.states),
+        )
+
+    def state(self, behind: LoadState) -> LoadState:
+        """A state of load at the input shaft.
+
+        What sits on the shaft between stage and mechanism is counted among what the mechanism's losses act on, too.
+        """
+        turning = behind.travel is None and behind.permissible_acceleration is not None
+        return replace(
+            behind,
+            torque=float(torque_before_ratio(behind.torque, self.ratio)),
+            inertia=float(referred_inertia(behind.inertia + behind.front_inertia, self.ratio)),
+            front_inertia=self.input_inertia,
+            speed=float(speed_before_ratio(behind.speed, self.ratio)),
+            efficiency=behind.efficiency * self.efficiency,
+            travel=None if behind.travel is None else behind.travel / self.ratio,
+            permissible_acceleration=(behind.permissible_acceleration or 0.0) * self.ratio
+            if turning
+            else behind.permissible_acceleration,
+            curve=tuple((speed * self.ratio, torque / self.ratio) for speed, torque in behind.curve),
         )
 
     def cycle(self, behind: LoadCycle, model: RegenerationModel) -> LoadCycle:

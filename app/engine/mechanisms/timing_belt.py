@@ -184,6 +184,7 @@ class TimingBelt(GuidedAxis, Mechanism):
             cycle=cycle,
             statics=axis.statics(motion, environment),
             opposite=axis.opposite(motion, environment),
+            states=axis.states(motion, environment),
             results=results,
         )
 

@@ -212,6 +212,7 @@ class TravelDrive(Mechanism):
                 "load_inertia_at_wheel": cycle.inertia,
                 "permissible_acceleration": permissible,
             },
+            states=axis.states(motion, environment, permissible_acceleration=permissible, also_unladen=True),
         )
         stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
         if stage is None:

@@ -11,20 +11,23 @@ from app.engine.motion.csv_profile import CsvProfile
 from app.engine.motion.move import LinearMove, RotaryMove
 from app.engine.motion.moves import Moves, Turns
 from app.engine.motion.profile import MotionProfile
+from app.engine.motion.trips import Rotations, Trips
 
 Motion: TypeAlias = Annotated[
-    Moves | Turns | ConstantMotion | ConstantRotation | CsvProfile, Field(discriminator="kind")
+    Moves | Turns | ConstantMotion | ConstantRotation | Trips | Rotations | CsvProfile, Field(discriminator="kind")
 ]
 """Any description of a cycle, told apart by ``kind``."""
 
-_MODELS: tuple[type[MotionModel], ...] = (Moves, Turns, ConstantMotion, ConstantRotation, CsvProfile)
+_MODELS: tuple[type[MotionModel], ...] = (
+    Moves, Turns, ConstantMotion, ConstantRotation, Trips, Rotations, CsvProfile,
+)  # fmt: skip
 
 
 def motions(kind: Literal["linear", "rotary"] | None = None) -> Mapping[str, type[MotionModel]]:
     """Every way to describe a cycle by its kind; with ``kind`` those that can drive such a mechanism.
 
     >>> list(motions("rotary"))
-    ['turns', 'constant_rotation', 'csv']
+    ['turns', 'constant_rotation', 'rotations', 'csv']
     """
     return {
         model.model_fields["kind"].default: model
@@ -43,6 +46,8 @@ __all__ = [
     "MotionProfile",
     "Moves",
     "RotaryMove",
+    "Rotations",
+    "Trips",
     "Turns",
     "motions",
 ]

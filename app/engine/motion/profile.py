@@ -48,6 +48,8 @@ class MotionProfile:
     """True where the axis stands and a brake holds it; False where it moves or the motor holds."""
     label: tuple[str, ...]
     """Phase of each segment, for the reader."""
+    own_ramps: bool = False
+    """Whether the drive makes its own ramps: then the segments hold none, and only such a drive can follow them."""
 
     @cached_property
     def acceleration(self) -> FloatArray:

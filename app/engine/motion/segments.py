@@ -108,12 +108,12 @@ class Segments:
         force = burden.force("standstill")
         self.add(duration, 0.0, 0.0, burden, force, direction, label, braked=hold == "brake")
 
-    def profile(self) -> MotionProfile:
-        """The collected segments as arrays."""
+    def profile(self, *, own_ramps: bool = False) -> MotionProfile:
+        """The collected segments as arrays; ``own_ramps``: they hold no ramps, the drive makes them."""
         numbers = np.array([row[:6] for row in self._rows], dtype=float).T
         duration, start, end, payload, force, direction = numbers
         return MotionProfile(
             kind=self.kind, duration=duration, speed_start=start, speed_end=end, payload=payload, process_force=force,
             direction=direction, braked=np.array([row[6] for row in self._rows], dtype=bool),
-            label=tuple(row[7] for row in self._rows),
+            label=tuple(row[7] for row in self._rows), own_ramps=own_ramps,
         )  # fmt: skip

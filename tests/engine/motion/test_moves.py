@@ -176,8 +176,8 @@ def test_what_was_not_given_is_said():
 def test_the_kind_tells_the_motions_apart():
     adapter: TypeAdapter[Motion] = TypeAdapter(Motion)
     assert isinstance(adapter.validate_python({"kind": "moves", "moves": [MOVE]}), Moves)
-    assert list(motions()) == ["moves", "turns", "constant", "constant_rotation", "csv"]
-    assert list(motions("linear")) == ["moves", "constant", "csv"]
+    assert list(motions()) == ["moves", "turns", "constant", "constant_rotation", "trips", "rotations", "csv"]
+    assert list(motions("linear")) == ["moves", "constant", "trips", "csv"]
     with pytest.raises(ValidationError):
         adapter.validate_python({"kind": "jump"})
 
