@@ -5,15 +5,17 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from sqlalchemy import ColumnElement, func, select
+from sqlalchemy import ColumnElement, RowMapping, func, select
 from sqlalchemy.orm import Session
 
 from app.catalog.browse import BrowsePage, BrowseQuery, browse_page, rows_of_product
 from app.catalog.filters import ProductFilter, conditions
 from app.catalog.records import ProductT, product_from_row, table_of
 from app.catalog.schema import TABLES, ColumnSpec, TableSpec
+from app.catalog.standards import chart_table
 from app.db.models import CatalogEdition, StandardTable
-from app.engine.products import ServoDrive, ServoGearUnit, ServoMotor
+from app.engine.products import GearUnit, InductionMotor, ServoDrive, ServoGearUnit, ServoMotor
+from app.engine.tables import Table
 
 
 class ProductNotFoundError(LookupError):
@@ -91,15 +93,41 @@ class CatalogRepository:
         """The servo drive of this id. Raises ProductNotFoundError."""
         return self._product(ServoDrive, product_id)
 
+    def products(self, product: type[ProductT], wanted: ProductFilter = ALL) -> list[ProductT]:
+        """All products of an engine type by maker, series and order code; gear units without a ratio are left out."""
+        table = table_of(product).table
+        needed = [table.c.ratio.is_not(None)] if product in (ServoGearUnit, GearUnit) else []
+        return self._products(product, wanted, *needed)
+
+    def tables(self) -> dict[str, Table]:
+        """Standard tables that are tabulated charts, by key: ready for a look-up. Of several editions the newest."""
+        found = {}
+        for table in self._session.scalars(select(StandardTable)):
+            made = chart_table(table.key, table.title, table.source, table.payload)
+            if made is not None:
+                found[table.key] = made
+        return found
+
     def _products(self, product: type[ProductT], wanted: ProductFilter, *more: ColumnElement[bool]) -> list[ProductT]:
         spec = table_of(product)
         table = spec.table
         query = select(table).where(*conditions(spec, wanted, self._edition_ids(wanted)), *more)
         query = query.order_by(table.c.manufacturer, table.c.series, table.c.id)
         cited = {id_: (edition.key, edition.citation) for id_, edition in self._editions.items()}
+        points = self._points() if product is InductionMotor else {}
         return [
-            product_from_row(product, row, *cited[row["edition_id"]]) for row in self._session.execute(query).mappings()
+            product_from_row(product, {**row, "points": points.get(row["id"], [])}, *cited[row["edition_id"]])
+            for row in self._session.execute(query).mappings()
         ]
+
+    def _points(self) -> dict[int, list[RowMapping]]:
+        """Operating points of all induction motors by motor, in the order of the source."""
+        detail = TABLES["induction_motor"].detail
+        assert detail is not None
+        found: dict[int, list[RowMapping]] = {}
+        for row in self._session.execute(select(detail).order_by(detail.c.motor_id, detail.c.position)).mappings():
+            found.setdefault(row["motor_id"], []).append(row)
+        return found
 
     def _product(self, product: type[ProductT], product_id: str) -> ProductT:
         spec = table_of(product)

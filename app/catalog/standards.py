@@ -5,6 +5,7 @@ from typing import Any
 
 from app.catalog.report import LoadReport
 from app.db.models import StandardTable
+from app.engine.tables import Table
 
 FIELDS = ("title", "unit", "note", "data")
 REQUIRED = ("title", "data")
@@ -63,3 +64,19 @@ def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         names = [name for name, _ in pairs]
         raise ValueError(f"{next(name for name in names if names.count(name) > 1)!r} stands twice in one object")
     return found
+
+
+def chart_table(key: str, title: str, source: str, payload: Any) -> Table | None:
+    """A standard table as a chart to look values up in; None where its values are no curves.
+
+    The data of a chart are ``{"x": ..., "family": ..., "curves": [{"family": 0, "points": [[x, value], ...]}],
+    "clamped": true, "source": ...}``; ``x`` and ``family`` say in words what the axes are.
+    """
+    if not isinstance(payload, dict) or not isinstance(payload.get("curves"), list):
+        return None
+    curves = [
+        (float(curve.get("family", 0.0)), tuple(sorted((float(x), float(value)) for x, value in curve["points"])))
+        for curve in payload["curves"]
+    ]
+    return Table(key=key, title=title, source=str(payload.get("source") or source), curves=tuple(sorted(curves)),
+                 clamped=bool(payload.get("clamped", False)))  # fmt: skip

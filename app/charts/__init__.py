@@ -4,9 +4,11 @@ Every trace carries in ``meta`` the name of its colour in the page's stylesheet 
 follow the reader's light or dark theme; the colours written into the figure are those of the light theme.
 """
 
+from app.charts.axis import axis_figures
 from app.charts.cycle import cycle_figure
+from app.charts.diagram import diagram_figure
 from app.charts.figure import Figure
 from app.charts.svg import svg
 from app.charts.torque_speed import torque_speed_figure
 
-__all__ = ["Figure", "cycle_figure", "svg", "torque_speed_figure"]
+__all__ = ["Figure", "axis_figures", "cycle_figure", "diagram_figure", "svg", "torque_speed_figure"]

@@ -7,17 +7,16 @@ from numpy.typing import NDArray
 
 from app.charts.figure import RPM, Figure, Translate, axis, band, figure, line, thinned
 from app.engine.cycle import LoadCycle
-from app.engine.drives.servo import ServoResult, ShaftPoints
+from app.engine.drives.base import ShaftPoints
 
 _DOMAINS = ([0.7, 1.0], [0.36, 0.64], [0.0, 0.3])
 
 
-def cycle_figure(result: ServoResult, load: LoadCycle, translate: Translate = str) -> Figure:
+def cycle_figure(points: ShaftPoints, load: LoadCycle, translate: Translate = str) -> Figure:
     """Three stacked charts over time; the segment with the largest torque is shaded, so are closed brakes.
 
     Torque is that of the motor, beside it that of the load at the gear unit's output.
     """
-    points = result.cycle
     times = np.column_stack([points.time[:-1], points.time[1:]]).ravel()
     speed = np.column_stack([points.speed_start, points.speed_end]).ravel()
     traces = [_trace(times, speed * RPM, translate("motor speed"), "series-1", "")]

@@ -3,11 +3,10 @@
 import numpy as np
 
 from app.charts.figure import RPM, Figure, Translate, axis, figure, line, thinned
-from app.engine.drives.limits import Points
-from app.engine.drives.servo import ServoResult, ShaftPoints
+from app.engine.drives.base import DriveResult, Points, ShaftPoints
 
 
-def torque_speed_figure(result: ServoResult, translate: Translate = str, *, four_quadrants: bool = False) -> Figure:
+def torque_speed_figure(result: DriveResult, translate: Translate = str, *, four_quadrants: bool = False) -> Figure:
     """S1 and peak curve, the cycle in time order, and the point (mean speed, effective torque); rpm and N m.
 
     By default everything is folded into the first quadrant, where limits are read; ``four_quadrants`` keeps the signs.
@@ -30,7 +29,7 @@ def torque_speed_figure(result: ServoResult, translate: Translate = str, *, four
                 continue  # a cycle that runs both ways shows the opposite direction already
             shown |= corners
             traces.append(line(x, y, name, colour, dash=dash, width=1.5, mode="lines+markers", text=labels))
-    if result.effective_torque is not None:
+    if result.effective_torque is not None and result.mean_speed is not None:
         mean = ([result.mean_speed * RPM], [result.effective_torque])
         name = translate("mean speed, effective torque")
         traces.append(line(*mean, name, "series-4", mode="markers", symbol="diamond"))

@@ -6,8 +6,8 @@ application made, not to the module.
 
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from sqlalchemy.orm import Session
@@ -15,13 +15,37 @@ from sqlalchemy.orm import Session
 from app.catalog.filters import ProductFilter
 from app.catalog.repository import CatalogRepository
 from app.engine.candidates import GearArrays, MotorArrays
-from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
+from app.engine.products import (
+    BrakingResistor,
+    GearUnit,
+    InductionMotor,
+    Inverter,
+    MotorBrake,
+    Product,
+    ServoDrive,
+    ServoGearUnit,
+    ServoMotor,
+)
+from app.engine.tables import Table
 from app.services.errors import NotFoundError
 
 RECHECK_SECONDS = 2.0
 """A catalogue loaded by another process is noticed within this time."""
 
-_WORDS = {"motor": "servo motor", "gear_unit": "servo gear unit", "servo_drive": "servo drive"}
+_WORDS: dict[type[Product], str] = {
+    ServoMotor: "servo motor",
+    ServoGearUnit: "servo gear unit",
+    ServoDrive: "servo drive",
+    InductionMotor: "induction motor",
+    GearUnit: "gear unit",
+    MotorBrake: "motor brake",
+    Inverter: "inverter",
+    BrakingResistor: "braking resistor",
+}
+"""What the engine's types are called, for the reader."""
+
+OTHER_TYPES: tuple[type[Product], ...] = (InductionMotor, GearUnit, MotorBrake, Inverter, BrakingResistor)
+"""Products beside those of servo drives."""
 
 
 @dataclass(frozen=True)
@@ -34,15 +58,23 @@ class CatalogueSnapshot:
     servo_drives: tuple[ServoDrive, ...]
     editions: Mapping[str, str]
     """Edition key (``maker:edition``) and citation."""
+    others: Mapping[type[Product], tuple[Product, ...]] = field(default_factory=dict)
+    """Products of every other type."""
+    tables: Mapping[str, Table] = field(default_factory=dict)
+    """Tabulated charts by key."""
+
+    def products(self, product_type: type[Product]) -> Sequence[Product]:
+        """All products of a type, in the order of the catalogue."""
+        servo: dict[type[Product], Sequence[Product]] = {
+            ServoMotor: self.motors,
+            ServoGearUnit: self.gear_units,
+            ServoDrive: self.servo_drives,
+        }
+        return servo[product_type] if product_type in servo else self.others.get(product_type, ())
 
     @cached_property
-    def _by_id(self) -> dict[str, dict[str, Product]]:
-        roles: dict[str, Sequence[Product]] = {
-            "motor": self.motors,
-            "gear_unit": self.gear_units,
-            "servo_drive": self.servo_drives,
-        }
-        return {role: {product.id: product for product in products} for role, products in roles.items()}
+    def _by_id(self) -> dict[type[Product], dict[str, Product]]:
+        return {kind: {product.id: product for product in self.products(kind)} for kind in _WORDS}
 
     @cached_property
     def motor_arrays(self) -> MotorArrays:
@@ -54,11 +86,11 @@ class CatalogueSnapshot:
         """All gear units, ready for the selection."""
         return GearArrays.from_records(self.gear_units)
 
-    def product(self, role: str, product_id: str) -> Product:
-        """One product by role (``motor``, ``gear_unit``, ``servo_drive``) and id. Raises NotFoundError."""
-        found = self._by_id[role].get(product_id)
+    def product(self, product_type: type[Product], product_id: str) -> Product:
+        """One product by type and id. Raises NotFoundError."""
+        found = self._by_id[product_type].get(product_id)
         if found is None:
-            raise NotFoundError(f"names no {_WORDS[role]} of the catalogue that is loaded")
+            raise NotFoundError(f"names no {_WORDS[product_type]} of the catalogue that is loaded")
         return found
 
     def editions_of(self, product_ids: Sequence[str]) -> dict[str, str]:
@@ -115,7 +147,31 @@ class CatalogueCache:
                 gear_units=tuple(repository.servo_gear_units()),
                 servo_drives=tuple(repository.servo_drives()),
                 editions={edition.key: edition.citation for edition in repository.editions()},
+                others={kind: tuple(repository.products(kind)) for kind in OTHER_TYPES},
+                tables=repository.tables(),
             )
+
+
+class CatalogueTables(Mapping[str, Table]):
+    """The tabulated charts of the newest catalogue, read only when one is looked up; one object per calculation."""
+
+    def __init__(self, catalogue: CatalogueCache) -> None:
+        self._catalogue = catalogue
+        self.used = False
+        """Whether anything was looked up, so that the result depends on the catalogue."""
+
+    def _tables(self) -> Mapping[str, Table]:
+        self.used = True
+        return self._catalogue.snapshot().tables
+
+    def __getitem__(self, key: str) -> Table:
+        return self._tables()[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._tables())
+
+    def __len__(self) -> int:
+        return len(self._tables())
 
 
 def edition_lines(snapshot: CatalogueSnapshot) -> list[dict[str, str]]:

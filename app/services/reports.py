@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from app.charts import cycle_figure, svg, torque_speed_figure
+from app.charts import axis_figures, svg
 from app.engine.quantity import Declared, Quantity, declaration
 from app.reports.numbers import show
 from app.reports.pdf import Chart, Report, Table, report_pdf
@@ -13,7 +13,11 @@ from app.services.sizing import Sizing
 Translate = Callable[[str], str]
 _VARIABLE = re.compile(r"var\(--[\w-]+,\s*([^)]+)\)")
 INK = "#1b2026"
-ROLES = {"motor": "Motor", "gear_unit": "Gear unit", "servo_drive": "Servo drive"}
+ROLES = {
+    "motor": "Motor", "gear_unit": "Gear unit", "servo_drive": "Servo drive", "brake": "Brake",
+    "inverter": "Inverter", "braking_resistor": "Braking resistor",
+}  # fmt: skip
+"""Parts of a drive by role, for the reader."""
 
 
 def axis_report(sizing: Sizing, drawing: str = "", translate: Translate = str, language: str = "en") -> bytes:
@@ -50,7 +54,7 @@ def _title_block(sizing: Sizing, translate: Translate) -> Iterator[tuple[str, st
     request = sizing.typed.request
     yield translate("Mechanism"), translate(request.mechanism.title)
     for role, product in sizing.parts.chosen():
-        yield translate(ROLES[role]), product.name
+        yield translate(ROLES.get(role, role)), product.name
     yield translate("Program"), f"Drivewright {sizing.engine_version}"
     for key, citation in sizing.editions.items():
         yield translate("Catalogue edition"), f"{citation} ({key})"
@@ -79,17 +83,13 @@ def _shown(found: Any, value: Any, translate: Translate) -> str:
 
 
 def _charts(sizing: Sizing, translate: Translate) -> Iterator[Chart]:
-    figures = (
-        torque_speed_figure(sizing.drive, translate),
-        cycle_figure(sizing.drive, sizing.load.cycle, translate),
-    )
-    for number, figure in enumerate(figures):
-        yield Chart(figure["layout"]["title"]["text"], printable(svg(figure, f"chart-{number}")))
+    for key, figure in axis_figures(sizing.drive, sizing.load, translate):
+        yield Chart(figure["layout"]["title"]["text"], printable(svg(figure, f"chart-{key}")))
 
 
 def _tables(sizing: Sizing, translate: Translate) -> Iterator[Table]:
     rows = tuple(
-        (translate(ROLES[role]), product.manufacturer, product.model, product.source)
+        (translate(ROLES.get(role, role)), product.manufacturer, product.model, product.source)
         for role, product in sizing.parts.chosen()
     )
     if rows:

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 from pydantic import Field, StringConstraints, ValidationError, ValidationInfo, field_validator, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from app.engine.drives.own import OwnGearUnit, OwnServoMotor
-from app.engine.drives.rules import ServoRules
+from app.engine.drives import DEFAULT_KIND, drives
+from app.engine.drives.base import DriveModel
+from app.engine.drives.servo import ServoDriveModel
 from app.engine.environment import Environment
 from app.engine.mechanisms import mechanisms
 from app.engine.mechanisms.base import Mechanism
@@ -22,58 +23,17 @@ from app.services.reading import read
 
 if TYPE_CHECKING:
     AnyMechanism = Mechanism
+    AnyDrive = DriveModel
 else:
     _KINDS = tuple(mechanisms().values())
     AnyMechanism = Annotated[Union[_KINDS], Field(discriminator="kind")]  # noqa: UP007
+    _DRIVES = tuple(drives().values())
+    AnyDrive = Annotated[Union[_DRIVES], Field(discriminator="kind")]  # noqa: UP007
 
-ProductId = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Name = Annotated[str, StringConstraints(max_length=200)]
 
 
 MOTION_WORDS = {"linear": "a linear motion (distances)", "rotary": "a rotary motion (angles or turns)"}
-
-
-class _Part(Declared):
-    """A product: out of the catalogue, or typed from its data sheet. Exactly one of the two."""
-
-    id: Annotated[ProductId | None, Option(default=None, about="identifier of a product of the catalogue")]
-
-    @model_validator(mode="after")
-    def _exactly_one(self) -> "_Part":
-        if (self.id is None) == (getattr(self, "own", None) is None):
-            own = "own" in type(self).model_fields
-            raise PydanticCustomError(
-                "part", 'give either "id" or "own" (values of a data sheet)' if own else 'give the "id" of a product'
-            )
-        return self
-
-
-class MotorChoice(_Part):
-    """The motor: ``{"id": ...}`` or ``{"own": {...}}``."""
-
-    own: OwnServoMotor | None = None
-
-
-class GearUnitChoice(_Part):
-    """The gear unit: ``{"id": ...}`` or ``{"own": {...}}``."""
-
-    own: OwnGearUnit | None = None
-
-
-class ServoDriveChoice(_Part):
-    """The servo drive: ``{"id": ...}``."""
-
-
-class ServoDriveRequest(ServoRules):
-    """A servo drive: the rules it is judged by, and its parts as far as they are chosen.
-
-    Without a motor the result is the demand at the motor shaft, with a rotor inertia of zero.
-    """
-
-    kind: Literal["servo"] = "servo"
-    motor: MotorChoice | None = None
-    gear_unit: GearUnitChoice | None = None
-    servo_drive: ServoDriveChoice | None = None
 
 
 class SizingRequest(Declared):
@@ -86,8 +46,14 @@ class SizingRequest(Declared):
     mechanism: AnyMechanism
     motion: Motion
     environment: Environment = Field(default_factory=lambda: Environment.model_validate({}))
-    drive: ServoDriveRequest = Field(default_factory=lambda: ServoDriveRequest.model_validate({}))
+    drive: AnyDrive = Field(default_factory=lambda: ServoDriveModel.model_validate({}))
     optimum: OptimumInput | None = None
+
+    @field_validator("drive", mode="before")
+    @classmethod
+    def _servo_unless_told(cls, drive: Any) -> Any:
+        """A drive that does not say of which kind it is, is a servo drive: the only kind there once was."""
+        return {"kind": DEFAULT_KIND, **drive} if isinstance(drive, Mapping) and "kind" not in drive else drive
 
     @field_validator("motion")
     @classmethod
@@ -108,6 +74,16 @@ class SizingRequest(Declared):
         raise ValidationError.from_exception_data(
             "motion", [InitErrorDetails(type=problem, loc=("kind",), input=motion.kind)]
         )
+
+    @model_validator(mode="after")
+    def _optimum_needs_a_servo_drive(self) -> "SizingRequest":
+        """The search for the best transmission shares out a peak torque, which only a servo drive has."""
+        if self.optimum is not None and not isinstance(self.drive, ServoDriveModel):
+            problem = PydanticCustomError("optimum", "is sought for servo drives only")
+            raise ValidationError.from_exception_data(
+                "optimum", [InitErrorDetails(type=problem, loc=("optimum",), input=None)]
+            )
+        return self
 
 
 Texts = Annotated[tuple[Annotated[str, StringConstraints(min_length=1, max_length=120)], ...], Field(max_length=50)]

@@ -8,6 +8,8 @@ import numpy as np
 from pydantic_core import to_json
 
 from app.engine.cycle import LoadCycle
+from app.engine.drives.base import DriveModel
+from app.engine.drives.parts import roles_of
 from app.engine.products import Product
 from app.engine.quantity import from_si, si_factor
 from app.engine.sheet import Assumption, Check, Sheet, Step
@@ -34,7 +36,7 @@ def sizing_json(sizing: Sizing) -> bytes:
              "value_si": h.value}
             for h in sizing.headlines
         ],
-        "parts": parts_dict(sizing.parts),
+        "parts": parts_dict(sizing.parts, sizing.typed.request.drive),
         "checks": [check_dict(check) for check in sizing.sheet.checks],
         **_sheet_dict(sizing.sheet),
         "load_cycle": load_cycle_dict(sizing.load.cycle),
@@ -124,9 +126,9 @@ def part_dict(product: Product | None) -> dict[str, Any] | None:
     return {name: getattr(product, name) or "" for name in ("id", "manufacturer", "series", "model", "source")}
 
 
-def parts_dict(parts: Parts) -> dict[str, Any]:
-    """The chosen products by role."""
-    return {role: part_dict(getattr(parts, role)) for role in ("motor", "gear_unit", "servo_drive")}
+def parts_dict(parts: Parts, drive: DriveModel) -> dict[str, Any]:
+    """Every part that this kind of drive has; None where none was chosen."""
+    return {role: part_dict(parts.products.get(role)) for role in roles_of(type(drive))}
 
 
 def load_cycle_dict(cycle: LoadCycle) -> dict[str, Any]:

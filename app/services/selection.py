@@ -9,7 +9,7 @@ from typing import Any
 
 from app.catalog.filters import ProductFilter
 from app.engine.candidates import GearArrays, MotorArrays
-from app.engine.drives.servo import ServoResult, check_servo
+from app.engine.drives.servo import ServoDriveModel, ServoResult, check_servo
 from app.engine.inverter import DriveSuggestion, suggest_drives
 from app.engine.products import Product, ServoGearUnit, ServoMotor
 from app.engine.selection import DIRECT, Candidate, Selection, select
@@ -23,6 +23,7 @@ from app.services.version import ENGINE_VERSION
 KEPT_CHOICES = 16
 """So many filtered sets of products are kept as arrays."""
 SUGGESTED_DRIVES = 5
+_TYPES: dict[str, type[Product]] = {"motor": ServoMotor, "gear_unit": ServoGearUnit}
 
 
 @dataclass(frozen=True)
@@ -89,6 +90,7 @@ class SelectionService:
         request = typed.selection
         with refusals(raw):
             parts = self._sizing.parts(request)
+            rules = _servo(request)
             demand = demand_of(request, Sheet())
             choice = self._choice(request, parts)
             with located("drive"):
@@ -96,7 +98,7 @@ class SelectionService:
                     demand.load,
                     choice.motors,
                     choice.gear_units,
-                    request.drive,
+                    rules,
                     request.environment,
                     include_direct=request.filters.direct and parts.gear_unit is None,
                     ranking=request.ranking,
@@ -124,12 +126,12 @@ class SelectionService:
             given = self._sizing.parts(request)
             motor = self._product("motor", motor_id, given)
             gear = None if gear_unit_id is None else self._product("gear_unit", gear_unit_id, given)
+            rules = _servo(request)
             demand = demand_of(request, sheet)
             with located("drive"), sheet.section("Drive"):
-                result = check_servo(
-                    demand.load, motor, gear, given.servo_drive, request.drive, request.environment, sheet
-                )
-        parts = Parts(motor=motor, gear_unit=gear, servo_drive=given.servo_drive)
+                result = check_servo(demand.load, motor, gear, given.servo_drive, rules, request.environment, sheet)
+        roles = {"motor": motor, "gear_unit": gear, "servo_drive": given.servo_drive}
+        parts = Parts({role: product for role, product in roles.items() if product is not None})
         drives = suggest_drives(result.currents, self._catalogue.snapshot().servo_drives)
         return Explanation(parts, result, sheet, tuple(drives[:SUGGESTED_DRIVES]))
 
@@ -139,11 +141,11 @@ class SelectionService:
         return snapshot.motors, snapshot.gear_units
 
     def _product(self, role: str, product_id: str, given: Parts) -> Any:
-        own: Product | None = getattr(given, role)
+        own: Product | None = given.products.get(role)
         if own is not None and own.id == product_id:
             return own
         try:
-            return self._catalogue.snapshot().product(role, product_id)
+            return self._catalogue.snapshot().product(_TYPES[role], product_id)
         except NotFoundError as error:
             raise InvalidInputError([FieldError((f"{role}_id",), error.message, product_id)]) from error
 
@@ -197,6 +199,14 @@ def choose(raw: Mapping[str, Any], motor_id: str, gear_unit_id: str | None) -> d
     only_selection = set(SelectionRequest.model_fields) - {"name", "notes", "mechanism", "motion", "environment",
                                                            "drive", "optimum"}  # fmt: skip
     return {**{name: value for name, value in raw.items() if name not in only_selection}, "drive": drive}
+
+
+def _servo(request: SelectionRequest) -> ServoDriveModel:
+    """The servo drive that candidates are sought for. Raises InvalidInputError for another kind."""
+    if isinstance(request.drive, ServoDriveModel):
+        return request.drive
+    message = "candidates are ranked for servo drives; parts of this kind of drive are named one by one"
+    raise InvalidInputError([FieldError(("drive", "kind"), message, request.drive.kind)])
 
 
 def _gears(gear: ServoGearUnit | None) -> GearArrays:

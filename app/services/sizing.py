@@ -3,17 +3,19 @@
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
-from app.engine.drives.servo import ServoResult, check_servo
+from app.engine.drives.base import DriveResult, Given
+from app.engine.drives.parts import Part, parts_of
+from app.engine.drives.servo import ServoDriveModel, ServoResult
 from app.engine.errors import EngineError
 from app.engine.mechanisms.base import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.optimum import OptimumResult, optimum
-from app.engine.products import Product, ServoDrive, ServoGearUnit, ServoMotor
+from app.engine.products import Product
 from app.engine.sheet import Check, Sheet, Verdict
-from app.services.catalogue import CatalogueCache
+from app.services.catalogue import CatalogueCache, CatalogueTables
 from app.services.errors import FieldError, InvalidInputError, NotFoundError
 from app.services.reading import engine_refusal
 from app.services.requests import MOTION_WORDS, SizingRequest, Typed, read_sizing
@@ -33,20 +35,30 @@ class Headline:
     unit: str
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Parts:
-    """The products that were checked; None where none was chosen."""
+    """The products that were checked, by role; a role that is not chosen is not there."""
 
-    motor: ServoMotor | None = None
-    gear_unit: ServoGearUnit | None = None
-    servo_drive: ServoDrive | None = None
+    products: Mapping[str, Product] = field(default_factory=dict)
+
+    @property
+    def motor(self) -> Any:
+        """The motor; None where none was chosen."""
+        return self.products.get("motor")
+
+    @property
+    def gear_unit(self) -> Any:
+        """The gear unit; None where none was chosen."""
+        return self.products.get("gear_unit")
+
+    @property
+    def servo_drive(self) -> Any:
+        """The servo drive; None where none was chosen."""
+        return self.products.get("servo_drive")
 
     def chosen(self) -> Iterator[tuple[str, Product]]:
         """Each chosen product with its role."""
-        for role in ("motor", "gear_unit", "servo_drive"):
-            found: Product | None = getattr(self, role)
-            if found is not None:
-                yield role, found
+        yield from self.products.items()
 
 
 @dataclass(frozen=True)
@@ -65,7 +77,7 @@ class Sizing:
     parts: Parts
     profile: MotionProfile
     load: Load
-    drive: ServoResult
+    drive: DriveResult
     optimum: OptimumResult | None
     sheet: Sheet
     headlines: tuple[Headline, ...]
@@ -106,52 +118,36 @@ class SizingService:
 
     def calculate(self, typed: Typed) -> Sizing:
         """Calculate a parsed request. Raises InvalidInputError."""
-        request, sheet = typed.request, Sheet()
+        request, tables = typed.request, CatalogueTables(self._catalogue)
+        sheet = Sheet(tables=tables)
         with refusals(typed.raw):
             parts = self.parts(request)
             demand = demand_of(request, sheet)
             with located("drive"), sheet.section("Drive"):
-                result = check_servo(
-                    demand.load,
-                    parts.motor,
-                    parts.gear_unit,
-                    parts.servo_drive,
-                    request.drive,
-                    request.environment,
-                    sheet,
-                )
+                given = Given(demand.load, demand.profile, parts.products, request.environment)
+                result = request.drive.check(given, sheet)
             best = _optimum(request, demand, parts, result, sheet)
         return Sizing(
             typed=typed, parts=parts, profile=demand.profile, load=demand.load, drive=result, optimum=best,
-            sheet=sheet, headlines=tuple(_headlines(demand.load, sheet)),
-            catalogue_version=self._catalogue_version(request), editions=self._editions(parts),
+            sheet=sheet, headlines=tuple(_headlines(demand.load, result, sheet)),
+            catalogue_version=self._catalogue_version(request, tables), editions=self._editions(parts),
         )  # fmt: skip
 
     def parts(self, request: SizingRequest) -> Parts:
         """The products that a request names. Raises InvalidInputError for an unknown one, at its id."""
-        drive = request.drive
-        motor: ServoMotor | None = None
-        gear: ServoGearUnit | None = None
-        amplifier: ServoDrive | None = None
-        if drive.motor is not None:
-            motor = drive.motor.own.product() if drive.motor.own else self._named("motor", drive.motor.id)
-        if drive.gear_unit is not None:
-            gear = (
-                drive.gear_unit.own.product() if drive.gear_unit.own else self._named("gear_unit", drive.gear_unit.id)
-            )
-        if drive.servo_drive is not None:
-            amplifier = self._named("servo_drive", drive.servo_drive.id)
-        return Parts(motor=motor, gear_unit=gear, servo_drive=amplifier)
+        found: dict[str, Product] = {}
+        for role, part in parts_of(request.drive):
+            found[role] = part.typed or self._named(role, part)
+        return Parts(found)
 
-    def _named(self, role: str, product_id: str | None) -> Any:
+    def _named(self, role: str, part: Part) -> Product:
         try:
-            return self._catalogue.snapshot().product(role, str(product_id))
+            return self._catalogue.snapshot().product(part.product_type, str(part.id))
         except NotFoundError as error:
-            raise InvalidInputError([FieldError(("drive", role, "id"), error.message, product_id)]) from error
+            raise InvalidInputError([FieldError(("drive", role, "id"), error.message, part.id)]) from error
 
-    def _catalogue_version(self, request: SizingRequest) -> str:
-        chosen = (request.drive.motor, request.drive.gear_unit, request.drive.servo_drive)
-        named = any(choice is not None and choice.id is not None for choice in chosen)
+    def _catalogue_version(self, request: SizingRequest, tables: CatalogueTables) -> str:
+        named = tables.used or any(part.id is not None for _, part in parts_of(request.drive))
         return self._catalogue.snapshot().version if named else ""
 
     def _editions(self, parts: Parts) -> dict[str, str]:
@@ -171,6 +167,9 @@ def demand_of(request: SizingRequest, sheet: Sheet) -> Demand:
         if profile.kind != request.mechanism.motion_kind:
             given, needed = MOTION_WORDS[profile.kind], MOTION_WORDS[request.mechanism.motion_kind]
             raise EngineError(f"describes {given}, but {request.mechanism.title} needs {needed}", field="kind")
+    if profile.own_ramps and not request.drive.own_ramps:
+        problem = f"leaves the ramps to a line-fed motor; {request.drive.title.lower()} needs moves with their own"
+        raise EngineError(problem, field=("motion", "kind"))
     with located("mechanism"), sheet.section(request.mechanism.title):
         load = request.mechanism.load(profile, request.environment, sheet)
     return Demand(profile, load)
@@ -195,10 +194,11 @@ def refusals(raw: Any) -> Iterator[None]:
 
 
 def _optimum(
-    request: SizingRequest, demand: Demand, parts: Parts, drive: ServoResult, sheet: Sheet
+    request: SizingRequest, demand: Demand, parts: Parts, drive: DriveResult, sheet: Sheet
 ) -> OptimumResult | None:
-    if request.optimum is None:
+    if request.optimum is None or not isinstance(request.drive, ServoDriveModel):
         return None
+    assert isinstance(drive, ServoResult)
     gear = parts.gear_unit
     on_motor_shaft = (drive.rotor or 0.0) + request.drive.coupling_inertia + ((gear.inertia or 0.0) if gear else 0.0)
     with located("optimum"), sheet.section("Optimum for acceleration"):
@@ -216,11 +216,10 @@ def _optimum(
         )
 
 
-def _headlines(load: Load, sheet: Sheet) -> Iterator[Headline]:
+def _headlines(load: Load, drive: DriveResult, sheet: Sheet) -> Iterator[Headline]:
     """The mechanism's headline results, then the drive's."""
     steps = {step.key: step for step in sheet.steps}
-    drive = ("motor_speed_max", "peak_torque", "effective_torque", "mean_speed", "inertia_ratio")
-    for key in dict.fromkeys([*load.results, *drive]):
+    for key in dict.fromkeys([*load.results, *drive.headlines]):
         step = steps.get(key)
         if step is not None:
             yield Headline(key, step.label, step.symbol, step.value, step.unit)

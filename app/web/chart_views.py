@@ -7,7 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from app.charts import Figure, cycle_figure, svg, torque_speed_figure
+from app.charts import Figure, axis_figures, svg
 from app.services.sizing import Sizing
 
 MAX_ROWS = 60
@@ -40,11 +40,8 @@ def charts_of(
     sizing: Sizing, translate: Callable[[str], str], *, four_quadrants: bool = False
 ) -> tuple[ChartView, ...]:
     """Every chart of one sizing; ``four_quadrants`` keeps the signs of speed and torque."""
-    figures = {
-        "torque-speed": torque_speed_figure(sizing.drive, translate, four_quadrants=four_quadrants),
-        "cycle": cycle_figure(sizing.drive, sizing.load.cycle, translate),
-    }
-    return tuple(chart_view(key, figure) for key, figure in figures.items())
+    figures = axis_figures(sizing.drive, sizing.load, translate, four_quadrants=four_quadrants)
+    return tuple(chart_view(key, figure) for key, figure in figures)
 
 
 def chart_view(key: str, figure: Figure) -> ChartView:

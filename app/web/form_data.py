@@ -129,7 +129,27 @@ def _fitted_member(members: Models, raw: Any) -> dict[str, Any]:
     model = members[selected]
     known = {border(attribute, info) for attribute, info in model.model_fields.items()}
     others = {border(a, i) for member in members.values() for a, i in member.model_fields.items()} - known
-    return fitted(model, {tag: selected, **{k: v for k, v in values.items() if k not in others and k != tag}})
+    kept = {k: v for k, v in values.items() if k not in others and k != tag}
+    return fitted(model, {tag: selected, **_without_foreign(kept, model, list(members.values()))})
+
+
+def _without_foreign(raw: Mapping[str, Any], model: type[BaseModel], others: list[type[BaseModel]]) -> dict[str, Any]:
+    """Without the entries inside nested parts that belong to a part of the same name in another member.
+
+    After another kind of drive is chosen, the data sheet of a servomotor is no data of an induction motor.
+    """
+    made = dict(raw)
+    for attribute, info in model.model_fields.items():
+        name, inner = border(attribute, info), model_of(info.annotation)
+        if inner is None or not isinstance(made.get(name), Mapping):
+            continue
+        same = [found for other in others if attribute in other.model_fields
+                and (found := model_of(other.model_fields[attribute].annotation)) is not None]  # fmt: skip
+        known = {border(a, i) for a, i in inner.model_fields.items()}
+        foreign = {border(a, i) for one in same for a, i in one.model_fields.items()} - known
+        left = {key: value for key, value in made[name].items() if key not in foreign}
+        made[name] = _without_foreign(left, inner, same)
+    return made
 
 
 def selected_member(members: Models, raw: Any) -> str:

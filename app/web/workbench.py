@@ -6,6 +6,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from app.engine.drives import DEFAULT_KIND, drives
 from app.engine.environment import Environment
 from app.engine.motion import motions
 from app.engine.optimum import OptimumInput
@@ -16,7 +17,7 @@ from app.reports.numbers import show
 from app.reports.sheet_view import VERDICT_ICONS, CheckView, SheetView, sheet_view
 from app.services.errors import FieldError, InvalidInputError
 from app.services.mechanisms import MechanismKind
-from app.services.requests import ServoDriveRequest, SizingRequest
+from app.services.requests import SizingRequest
 from app.services.sizing import Sizing, SizingService
 from app.web.alternatives import AlternativesView
 from app.web.chart_views import ChartView, charts_of
@@ -59,9 +60,14 @@ class FormView:
     mechanism: PartView
     motion: ChoiceView
     environment: PartView
-    drive: PartView
+    drive: ChoiceView
     optimum: ChoiceView
     errors: tuple[ErrorLine, ...]
+
+    @property
+    def ranked(self) -> bool:
+        """Whether candidates of the catalogue are ranked for this kind of drive, and its transmission optimised."""
+        return self.drive.selected == DEFAULT_KIND
 
     @property
     def sections(self) -> tuple[PartView | ChoiceView, ...]:
@@ -131,6 +137,8 @@ def complete(kind: MechanismKind, raw: Mapping[str, Any]) -> dict[str, Any]:
     motion = _mapping(raw.get("motion"))
     fitting = motions(kind.motion_kind)
     values["motion"] = {**motion, "kind": motion["kind"] if motion.get("kind") in fitting else next(iter(fitting))}
+    drive = _mapping(raw.get("drive"))
+    values["drive"] = {**drive, "kind": drive["kind"] if drive.get("kind") in drives() else DEFAULT_KIND}
     return fitted(SizingRequest, values)
 
 
@@ -163,7 +171,7 @@ def axis_of(
     if sizing is not None:
         charts = charts_of(sizing, translate, four_quadrants=four_quadrants)
         result = replace(result, charts=charts, four_quadrants=four_quadrants)
-    if sizing is not None and alternatives is not None:
+    if sizing is not None and alternatives is not None and form.ranked:
         result = replace(result, alternatives=alternatives(typed))
     return Axis(typed, form, result)
 
@@ -187,7 +195,7 @@ def _form(
         mechanism=part_view(kind.model, raw.get("mechanism"), reader, "mechanism", kind.title),
         motion=choice_view(motions(kind.motion_kind), raw.get("motion"), reader, "motion", "Motion"),
         environment=part_view(Environment, raw.get("environment"), reader, "environment", "Environment"),
-        drive=part_view(ServoDriveRequest, raw.get("drive"), reader, "drive", "Drive"),
+        drive=choice_view(drives(), raw.get("drive"), reader, "drive", "Drive"),
         optimum=optional_view(OptimumInput, raw.get("optimum"), reader, "optimum", "Optimum for acceleration"),
         errors=(),
     )

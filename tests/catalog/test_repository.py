@@ -1,12 +1,16 @@
 """Reading the catalogue: filters, ids, pages."""
 
+import math
+
 import pytest
 from sqlalchemy import event
 
 from app.catalog.browse import BrowseError, BrowseQuery
 from app.catalog.filters import ProductFilter
 from app.catalog.repository import CatalogRepository, ProductNotFoundError
+from app.catalog.standards import chart_table
 from app.db.session import make_engine, session_factory
+from app.engine.products import BrakingResistor, GearUnit, InductionMotor, Inverter, MotorBrake
 
 
 @pytest.fixture
@@ -169,3 +173,38 @@ def test_an_empty_catalogue_is_empty_and_no_error(empty_database: str):
         assert (page.total, page.pages, page.rows) == (0, 1, [])
         assert catalog.catalogue_version()
     engine.dispose()
+
+
+def test_a_pole_changing_motor_has_its_windings_slow_one_first(sqlite_catalog: CatalogRepository):
+    """SEW 2001, ch. 9: DT100LS8/2 with 0.45 kW at 630 rpm and 1.8 kW at 2680 rpm, 9000 and 2600 starts per hour."""
+    found = next(one for one in sqlite_catalog.products(InductionMotor) if one.model.startswith("DT100LS8/2"))
+    slow, fast = found.windings
+    assert (slow.poles, fast.poles) == (8, 2)
+    assert slow.rated_power == pytest.approx(450)
+    assert fast.rated_speed == pytest.approx(2680 * math.pi / 30)
+    assert slow.no_load_starting_frequency == pytest.approx(9000 / 3600)
+
+
+def test_a_braking_resistor_has_its_rating_by_duty(sqlite_catalog: CatalogRepository):
+    """SEW 2001, 9.2: BW100-002 bears 0.2 kW at 100 %, 0.6 kW at 25 %, 1.9 kW at 6 % duty, 120 s."""
+    found = next(one for one in sqlite_catalog.products(BrakingResistor) if one.model == "BW100-002")
+    assert dict(found.ratings)[0.25] == pytest.approx(600)
+    assert found.ratings[0] == pytest.approx((0.06, 1900))
+    assert found.ratings[-1] == pytest.approx((1.0, 200))
+    assert found.duty_cycle_time == 120
+
+
+@pytest.mark.parametrize("kind", [GearUnit, Inverter, MotorBrake])
+def test_every_other_type_is_read_in_si(sqlite_catalog: CatalogRepository, kind: type):
+    found = sqlite_catalog.products(kind)
+    assert found
+    assert len({product.id for product in found}) == len(found)
+
+
+def test_a_chart_is_read_as_curves_and_a_list_is_not():
+    data = {"x": "P_S/P_N", "family": "duty", "curves": [{"family": 0.4, "points": [[1, 0.5], [0, 1]]}]}
+    table = chart_table("k", "Factor", "source", data)
+    assert table is not None
+    assert table.value(0.5, 0.4) == pytest.approx(0.75)
+    assert table.value(2.0, 0.4) is None
+    assert chart_table("k", "Factor", "source", {"a": 1}) is None

@@ -33,7 +33,7 @@ def test_torque_over_speed_holds_peak_and_limits(sizing: Sizing) -> None:
 
 
 def test_power_over_time_is_torque_times_speed(sizing: Sizing) -> None:
-    traces = {trace["name"]: trace for trace in cycle_figure(sizing.drive, sizing.load.cycle)["data"]}
+    traces = {trace["name"]: trace for trace in cycle_figure(sizing.drive.cycle, sizing.load.cycle)["data"]}
     torque, power = np.array(traces["motor torque"]["y"]), np.array(traces["motor power"]["y"])
     speed = np.array(traces["motor speed"]["y"]) * 2 * np.pi / 60
     np.testing.assert_allclose(power, torque * speed, rtol=1e-4, atol=0.1)
@@ -49,7 +49,7 @@ def test_thinning_keeps_ends_and_extremes() -> None:
 
 
 def test_a_figure_is_well_formed_svg_and_plain_json(sizing: Sizing) -> None:
-    for figure in (torque_speed_figure(sizing.drive), cycle_figure(sizing.drive, sizing.load.cycle)):
+    for figure in (torque_speed_figure(sizing.drive), cycle_figure(sizing.drive.cycle, sizing.load.cycle)):
         json.dumps(figure, allow_nan=False)
         hostile = {**figure, "layout": {**figure["layout"], "title": {"text": "<script>&"}}}
         root = ElementTree.fromstring(svg(hostile, "x"))

@@ -1,7 +1,7 @@
 """The parts of a drive as a request names them: a product of the catalogue, or one typed from its data sheet."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, get_args
 
 from pydantic import Field, StringConstraints, model_validator
 from pydantic_core import PydanticCustomError
@@ -272,6 +272,15 @@ class BrakingResistorChoice(Part):
 
     product_type: ClassVar[type[Product]] = BrakingResistor
     own: OwnBrakingResistor | None = None
+
+
+def roles_of(model: type[Declared]) -> tuple[str, ...]:
+    """Every part that a drive model has, whether chosen or not: the names of its fields."""
+    return tuple(
+        name
+        for name, info in model.model_fields.items()
+        if any(isinstance(one, type) and issubclass(one, Part) for one in get_args(info.annotation))
+    )
 
 
 def parts_of(model: Declared) -> Iterator[tuple[str, Part]]:

@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request, Response
 from pydantic_core import to_json
 
-from app.charts import cycle_figure, torque_speed_figure
+from app.charts import axis_figures
 from app.services.reading import parse_json
 from app.services.requests import SizingRequest
 from app.web.api.documentation import json_body
@@ -25,7 +25,7 @@ async def draw_charts(
     body: BodyBytes,
     four_quadrants: Annotated[bool, Query(description="Keep the signs of speed and torque")] = False,
 ) -> Response:
-    """Torque over speed with the limits of the motor, and speed, torque and power over time."""
+    """Torque over speed with the limits of the motor, speed, torque and power over time, and what else there is."""
     if four_quadrants:
         return await answered(request, "charts, four quadrants", body, _draw_signed)
     return await answered(request, "charts", body, _draw)
@@ -41,7 +41,6 @@ def _draw_signed(running: Running, body: bytes) -> bytes:
 
 def _figures(running: Running, body: bytes, *, signed: bool) -> bytes:
     sizing = running.sizing.size(parse_json(body))
-    return to_json({
-        "torque_speed": torque_speed_figure(sizing.drive, four_quadrants=signed),
-        "cycle": cycle_figure(sizing.drive, sizing.load.cycle),
-    })  # fmt: skip
+    figures = dict(axis_figures(sizing.drive, sizing.load, four_quadrants=signed))
+    known = {"torque_speed": figures.pop("torque-speed", None), "cycle": figures.pop("cycle", None)}
+    return to_json({**known, "diagrams": figures})

@@ -117,14 +117,6 @@ class PartAnswer(Answer):
     source: str
 
 
-class PartsAnswer(Answer):
-    """The chosen products; null where none was chosen."""
-
-    motor: PartAnswer | None
-    gear_unit: PartAnswer | None
-    servo_drive: PartAnswer | None
-
-
 class LoadCycleAnswer(Answer):
     """Load cycle at the output shaft of the drive: one entry per segment."""
 
@@ -154,7 +146,9 @@ class SizingAnswer(Answer):
     counts: dict[VerdictName, int]
     deciding_check: str | None = Field(description="Key of the check with the highest utilisation")
     headlines: list[HeadlineAnswer]
-    parts: PartsAnswer
+    parts: dict[str, PartAnswer | None] = Field(
+        description="Product of each part of the drive (motor, gear_unit ...); null where none was chosen"
+    )
     checks: list[CheckAnswer]
     steps: list[StepAnswer]
     assumptions: list[AssumptionAnswer]
@@ -172,8 +166,9 @@ class FigureAnswer(Answer):
 class ChartsAnswer(Answer):
     """Charts of one axis."""
 
-    torque_speed: FigureAnswer
-    cycle: FigureAnswer
+    torque_speed: FigureAnswer | None = Field(description="null where the drive makes its own ramps")
+    cycle: FigureAnswer | None = Field(description="null where the drive makes its own ramps")
+    diagrams: dict[str, FigureAnswer] = Field(description="Further charts of mechanism and drive by key")
 
 
 # Selection -----------------------------------------------------------------------------------------------------------
