@@ -9,7 +9,7 @@ import numpy as np
 
 from app.engine.formula import formula, maximum
 from app.engine.sheet import Sheet
-from app.engine.units import NewtonMetre, One
+from app.engine.units import KilogramMetre2, NewtonMetre, One
 
 RegenerationModel = Literal["eta", "sew"]
 
@@ -50,6 +50,30 @@ def returning_stage_torque(T: NewtonMetre, eta_r: One) -> NewtonMetre:
     -9.0
     """
     return T * eta_r
+
+
+@formula(symbol="J", unit="kg m2", source="derived: the torque that accelerates an inertia passes the stage")
+def driving_stage_inertia(J: KilogramMetre2, eta: One) -> KilogramMetre2:
+    """Inertia behind a stage as the driving side feels it while it accelerates it: divided by the efficiency.
+
+    ``J`` inertia behind the stage, referred to the driving side; ``eta`` efficiency of the stage.
+
+    >>> driving_stage_inertia(0.0045, 0.9)
+    0.005
+    """
+    return J / eta
+
+
+@formula(symbol="J", unit="kg m2", source="derived: the torque of an inertia that is slowed down returns power")
+def returning_stage_inertia(J: KilogramMetre2, eta_r: One) -> KilogramMetre2:
+    """Inertia behind a stage as the driving side feels it while the inertia drives: multiplied by the efficiency.
+
+    ``J`` inertia behind the stage, referred to the driving side; ``eta_r`` efficiency while the load drives.
+
+    >>> returning_stage_inertia(0.005, 0.9)
+    0.0045
+    """
+    return J * eta_r
 
 
 def regenerative_factor(eta: Any, model: RegenerationModel) -> Any:

@@ -1,0 +1,129 @@
+"""One state of load as a line-fed motor sees it on its own shaft: starting, slowing down and stopping.
+
+Losses act on the net torque by its direction. Which direction that is depends on how fast the load is accelerated, which
+depends on the losses: a lowered load drives the motor unless it is started faster than it would fall. Both cases are
+tried and the one that agrees with itself is taken.
+"""
+
+from dataclasses import dataclass, replace
+
+from app.engine.formulas.conversion import torque_before_ratio
+from app.engine.formulas.efficiency import (
+    RegenerationModel,
+    driving_stage_inertia,
+    driving_stage_torque,
+    regenerative_factor,
+    returning_stage_inertia,
+    returning_stage_torque,
+)
+from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
+from app.engine.mechanisms.base import LoadState
+from app.engine.sheet import Sheet
+
+
+@dataclass(frozen=True)
+class Burden:
+    """What acts on the motor shaft during one change of speed, losses included."""
+
+    torque: float
+    """Load torque, positive against the rotation [N m]"""
+    inertia: float
+    """All inertia on the motor shaft [kg m2]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class MotorSide:
+    """One state of load referred to the motor shaft."""
+
+    state: LoadState
+    ratio: float
+    """i = n_motor / n_output"""
+    gear_efficiency: float
+    motor_inertia: float
+    """J_M, brake included [kg m2]"""
+    added_inertia: float = 0.0
+    """J_Z: flywheel, and the gear unit's own [kg m2]"""
+    model: RegenerationModel = "eta"
+
+    @property
+    def efficiency(self) -> float:
+        """Of everything between motor shaft and load."""
+        return self.state.efficiency * self.gear_efficiency
+
+    @property
+    def load_torque(self) -> float:
+        """M_L: steady torque without losses, negative where the load drives [N m]."""
+        return float(torque_before_ratio(self.state.torque, self.ratio))
+
+    @property
+    def external_inertia(self) -> float:
+        """J_X, without losses [kg m2]."""
+        return float(referred_inertia(self.state.inertia, self.ratio))
+
+    @property
+    def own_inertia(self) -> float:
+        """Motor, flywheel and what sits on the output shaft before the losses of the mechanism [kg m2]."""
+        return self.motor_inertia + self.added_inertia + float(referred_inertia(self.state.front_inertia, self.ratio))
+
+    @property
+    def travel(self) -> float:
+        """Path of the load per radian of the motor shaft: [m/rad], or [rad/rad] where the load turns."""
+        return (1.0 if self.state.travel is None else self.state.travel) / self.ratio
+
+    @property
+    def driven_by_load(self) -> bool:
+        """Whether the load drives the motor in steady running: lowering."""
+        return self.state.torque < 0
+
+    def with_added(self, inertia: float) -> "MotorSide":
+        """The same with another additional inertia on the motor shaft."""
+        return replace(self, added_inertia=inertia)
+
+    def factor(self, *, driving: bool) -> float:
+        """What losses make of a torque or inertia of the load."""
+        return 1 / self.efficiency if driving else float(regenerative_factor(self.efficiency, self.model))
+
+    def drives(self, torque: float) -> bool:
+        """Whether power goes from motor to load while ``torque`` acts on the motor shaft (negative: a brake)."""
+        k = self.factor(driving=True)
+        alpha = (torque - self.load_torque * k) / (self.own_inertia + self.external_inertia * k)
+        return self.load_torque + self.external_inertia * alpha >= 0
+
+    def burden(self, torque: float) -> Burden:
+        """Load torque and inertia, losses included, while ``torque`` acts on the motor shaft."""
+        k = self.factor(driving=self.drives(torque))
+        return Burden(self.load_torque * k, self.own_inertia + self.external_inertia * k)
+
+    def record(self, sheet: Sheet) -> None:
+        """Write load torque and external inertia without losses."""
+        key = self.state.key
+        label = "Torque of the load on the motor shaft, no losses"
+        sheet(torque_before_ratio, key=f"{key}_load_torque", symbol="M_L", label=label, M=self.state.torque,
+              i=self.ratio)  # fmt: skip
+        label = "External inertia on the motor shaft, no losses"
+        sheet(referred_inertia, key=f"{key}_external_inertia", symbol="J_X", label=label, J=self.state.inertia,
+              i=self.ratio)  # fmt: skip
+
+    def record_burden(self, sheet: Sheet, torque: float, phase: str, doing: str) -> Burden:
+        """Write what acts on the motor shaft while ``torque`` acts there; keys ``<state>_<phase>_...``."""
+        key, driving = f"{self.state.key}_{phase}", self.drives(torque)
+        why = "the motor drives the load" if driving else "the load drives the motor"
+        losses = self.factor(driving=driving)
+        sheet.decide(f"{doing}: losses {'divide by' if driving else 'multiply by'} the efficiency", why)
+        label, symbol = f"Torque of the load with losses, {doing.lower()}", "M_L'"
+        M_L, J_X = self.load_torque, self.external_inertia
+        name = f"{key}_load_torque"
+        if driving:
+            load = sheet(driving_stage_torque, key=name, symbol=symbol, label=label, T=M_L, eta=self.efficiency)
+        else:
+            load = sheet(returning_stage_torque, key=name, symbol=symbol, label=label, T=M_L, eta_r=losses)
+        label, name = f"External inertia with losses, {doing.lower()}", f"{key}_external_inertia"
+        if driving:
+            outer = sheet(driving_stage_inertia, key=name, symbol="J_X'", label=label, J=J_X, eta=self.efficiency)
+        else:
+            outer = sheet(returning_stage_inertia, key=name, symbol="J_X'", label=label, J=J_X, eta_r=losses)
+        front = float(referred_inertia(self.state.front_inertia, self.ratio))
+        parts = [part for part in (self.motor_inertia, self.added_inertia, front, outer) if part]
+        label = f"All inertia on the motor shaft, {doing.lower()}"
+        total = sheet(sum_of_inertias, key=f"{key}_inertia", symbol="J_tot", label=label, J_k=parts)
+        return Burden(load, total)

@@ -1,0 +1,210 @@
+"""Induction motors on the mains: rated torque, run-up, permissible starting frequency.
+
+Efficiency is not spelled here: external inertia and load torque come in as they act on the motor shaft, losses
+included by the direction of power (``app.engine.formulas.efficiency``).
+"""
+
+from app.engine.formula import formula, pi, total
+from app.engine.units import (
+    Hertz,
+    KilogramMetre2,
+    MetrePerSecond,
+    MetrePerSecond2,
+    NewtonMetre,
+    One,
+    PerSecond,
+    RadPerSecond,
+    RadPerSecond2,
+    Second,
+    Watt,
+)
+
+
+@formula(symbol="M_N", unit="N m", source="SEW 2001, 7.1: torque from power and speed")
+def rated_torque(P_N: Watt, n_N: RadPerSecond) -> NewtonMetre:
+    """Rated torque of a motor.
+
+    ``P_N`` rated power, ``n_N`` rated speed.
+
+    >>> round(rated_torque(550.0, 2700 * 3.141592653589793 / 30), 4)
+    1.9452
+    """
+    return P_N / n_N
+
+
+@formula(symbol="n_S", unit="rpm", source="IEC 60034-1: synchronous speed")
+def synchronous_speed(f_1: Hertz, z_p: One) -> RadPerSecond:
+    """Speed of the rotating field.
+
+    ``f_1`` frequency of the mains, ``z_p`` number of poles.
+
+    >>> round(synchronous_speed(50.0, 2) * 30 / 3.141592653589793, 6)
+    3000.0
+    """
+    return 4 * pi * f_1 / z_p
+
+
+@formula(symbol="M_H", unit="N m", source="SEW 2001, 7.9: mean run-up torque")
+def run_up_torque(r_H: One, M_N: NewtonMetre) -> NewtonMetre:
+    """Mean torque of the motor over its run-up.
+
+    ``r_H`` mean run-up torque over rated torque, ``M_N`` rated torque.
+
+    >>> round(run_up_torque(1.9, 1.9452), 4)
+    3.6959
+    """
+    return r_H * M_N
+
+
+@formula(symbol="M_H", unit="N m", source="IEC 60034-12: star connection gives a third of the torque")
+def star_run_up_torque(M_H: NewtonMetre) -> NewtonMetre:
+    """Mean run-up torque while the winding is connected in star.
+
+    ``M_H`` mean run-up torque in delta.
+
+    >>> star_run_up_torque(30.0)
+    10.0
+    """
+    return M_H / 3
+
+
+@formula(symbol="eta_T", unit="1", source="SEW 2001, 8.1: efficiencies of load and gear unit multiply")
+def total_efficiency(eta_L: One, eta_G: One) -> One:
+    """Efficiency between motor shaft and load.
+
+    ``eta_L`` efficiency of the mechanism, ``eta_G`` efficiency of the gear unit.
+
+    >>> round(total_efficiency(0.9, 0.95), 3)
+    0.855
+    """
+    return eta_L * eta_G
+
+
+@formula(symbol="alpha_M", unit="rad/s2", source="derived: torque balance at the motor shaft")
+def shaft_angular_acceleration(M: NewtonMetre, M_L: NewtonMetre, J_tot: KilogramMetre2) -> RadPerSecond2:
+    """Angular acceleration of the motor shaft; negative while it slows down.
+
+    ``M`` torque of the motor in the direction of rotation (negative: a brake), ``M_L`` torque of the load on the motor
+    shaft, losses included, positive against the rotation, ``J_tot`` all inertia on the motor shaft.
+
+    >>> shaft_angular_acceleration(5.0, 1.0, 0.02)
+    200.0
+    """
+    return (M - M_L) / J_tot
+
+
+@formula(symbol="t_A", unit="s", source="SEW 2001, 7.9: run-up time")
+def run_up_time(J_tot: KilogramMetre2, omega: RadPerSecond, M_H: NewtonMetre, M_L: NewtonMetre) -> Second:
+    """Time in which a line-fed motor runs up.
+
+    ``J_tot`` all inertia on the motor shaft, ``omega`` speed reached, ``M_H`` mean run-up torque, ``M_L`` torque of the
+    load on the motor shaft, losses included, negative where it helps.
+
+    >>> round(run_up_time(0.0137, 282.74, 3.6959, 0.4991), 3)
+    1.212
+    """
+    return J_tot * omega / (M_H - M_L)
+
+
+@formula(symbol="J_Z", unit="kg m2", source="derived: run-up time of the permissible acceleration")
+def least_flywheel(
+    M_H: NewtonMetre, M_L: NewtonMetre, omega: RadPerSecond, v: MetrePerSecond, a_p: MetrePerSecond2,
+    J_tot: KilogramMetre2,
+) -> KilogramMetre2:  # fmt: skip
+    """Least additional inertia on the motor shaft with which the run-up stays within the permissible acceleration.
+
+    ``M_H`` mean run-up torque, ``M_L`` torque of the load on the motor shaft, losses included, ``omega`` motor speed
+    reached, ``v`` speed of the load, ``a_p`` its permissible acceleration, ``J_tot`` all other inertia on the motor
+    shaft. Negative where none is needed.
+
+    >>> round(least_flywheel(3.695931, 0.2495662, 282.7433, 0.5, 0.73575, 0.000551 + 0.0054863), 6)
+    0.002246
+    """
+    return (M_H - M_L) * v / (a_p * omega) - J_tot
+
+
+@formula(symbol="K_J", unit="1", source="SEW 2001, 7.9: inertia factor of the starting frequency")
+def inertia_factor(J_M: KilogramMetre2, J_tot: KilogramMetre2) -> One:
+    """Share of the starting frequency that remains because of the inertia to be started.
+
+    ``J_M`` inertia of the motor with its brake, ``J_tot`` all inertia on the motor shaft.
+
+    >>> inertia_factor(0.01, 0.04)
+    0.25
+    """
+    return J_M / J_tot
+
+
+@formula(symbol="K_M", unit="1", source="SEW 2001, 7.9: torque factor of the starting frequency")
+def load_torque_factor(M_L: NewtonMetre, M_H: NewtonMetre) -> One:
+    """Share of the starting frequency that remains because of the load torque.
+
+    ``M_L`` torque of the load on the motor shaft, losses included; a load that helps is counted as if it opposed the
+    start, which is on the safe side. ``M_H`` mean run-up torque.
+
+    >>> load_torque_factor(-1.0, 4.0)
+    0.75
+    """
+    return 1 - abs(M_L) / M_H
+
+
+@formula(symbol="K_M", unit="1", source="derived: losses of the run-up fall with its time")
+def physical_load_torque_factor(M_L: NewtonMetre, M_H: NewtonMetre) -> One:
+    """Torque factor that counts the help of a load that drives: above 1.
+
+    ``M_L`` torque of the load on the motor shaft, losses included, negative where it helps, ``M_H`` mean run-up torque.
+
+    >>> physical_load_torque_factor(-1.0, 4.0)
+    1.25
+    """
+    return 1 - M_L / M_H
+
+
+@formula(symbol="Z", unit="1/h", source="SEW 2001, 7.9: permissible starting frequency")
+def permissible_starting_frequency(Z_0: PerSecond, K_J: One, K_M: One, K_P: One) -> PerSecond:
+    """Starts that a line-fed motor bears, by its heating.
+
+    ``Z_0`` permitted starts without load, ``K_J`` inertia factor, ``K_M`` torque factor, ``K_P`` factor of static power
+    and duty.
+
+    >>> round(permissible_starting_frequency(4600.0, 0.05, 0.9, 0.7), 6)
+    144.9
+    """
+    return Z_0 * K_J * K_M * K_P
+
+
+@formula(symbol="Z_c", unit="1/h", source="SEW 2001, 8.3: mixed duty; heating of the starts adds up")
+def permissible_cycles(z_k: One, Z_k: PerSecond) -> PerSecond:
+    """Cycles of several starts that the motor bears: 1 / sum(1 / Z) over all starts of a cycle.
+
+    ``z_k`` starts of each kind in a cycle, ``Z_k`` permissible frequency of starts of this kind alone.
+
+    >>> round(permissible_cycles([1.0, 1.0], [120.0, 240.0]), 6)
+    80.0
+    """
+    return 1 / total(z_k / Z_k)
+
+
+@formula(symbol="n", unit="rpm", source="derived: straight characteristic between synchronous and rated speed")
+def oversynchronous_speed(n_S: RadPerSecond, n_N: RadPerSecond, M_L: NewtonMetre, M_N: NewtonMetre) -> RadPerSecond:
+    """Speed of a motor that its load drives.
+
+    ``n_S`` synchronous speed, ``n_N`` rated speed, ``M_L`` torque of the load on the motor shaft, negative where it
+    drives, ``M_N`` rated torque.
+
+    >>> oversynchronous_speed(157.0, 147.0, -5.0, 10.0)
+    162.0
+    """
+    return n_S - (n_S - n_N) * M_L / M_N
+
+
+@formula(symbol="P_S/P_N", unit="1", source="SEW 2001, 7.9: relative static power")
+def relative_static_power(P_S: Watt, P_N: Watt) -> One:
+    """Static power over rated power, losses included.
+
+    ``P_S`` power in steady running, ``P_N`` rated power of the motor.
+
+    >>> relative_static_power(142.0, 568.0)
+    0.25
+    """
+    return P_S / P_N
