@@ -1,8 +1,8 @@
 """One state of load as a line-fed motor sees it on its own shaft: starting, slowing down and stopping.
 
-Losses act on the net torque by its direction. Which direction that is depends on how fast the load is accelerated, which
-depends on the losses: a lowered load drives the motor unless it is started faster than it would fall. Both cases are
-tried and the one that agrees with itself is taken.
+Losses act on the net torque by its direction. Which direction that is depends on how fast the load is accelerated,
+which depends on the losses: a lowered load drives the motor unless it is started faster than it would fall. Both cases
+are tried and the one that agrees with itself is taken.
 """
 
 from dataclasses import dataclass, replace

@@ -43,6 +43,18 @@ def shaft_speed(v: MetrePerSecond, A: MetrePerRad) -> RadPerSecond:
     return v / A
 
 
+@formula(symbol="v", unit="m/s", source="derived: travel per radian times angular speed")
+def linear_speed(omega: RadPerSecond, A: MetrePerRad) -> MetrePerSecond:
+    """Speed of a load from the speed of a shaft.
+
+    ``omega`` angular speed of the shaft, ``A`` travel of the load per radian of that shaft.
+
+    >>> linear_speed(100.0, 0.005)
+    0.5
+    """
+    return omega * A
+
+
 @formula(symbol="alpha_s", unit="rad/s2", source="derived: a = A*d(omega)/dt")
 def shaft_acceleration(a: MetrePerSecond2, A: MetrePerRad) -> RadPerSecond2:
     """Angular acceleration of the shaft that accelerates a body; signed as the acceleration.

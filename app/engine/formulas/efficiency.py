@@ -58,7 +58,7 @@ def driving_stage_inertia(J: KilogramMetre2, eta: One) -> KilogramMetre2:
 
     ``J`` inertia behind the stage, referred to the driving side; ``eta`` efficiency of the stage.
 
-    >>> driving_stage_inertia(0.0045, 0.9)
+    >>> round(driving_stage_inertia(0.0045, 0.9), 6)
     0.005
     """
     return J / eta
@@ -70,7 +70,7 @@ def returning_stage_inertia(J: KilogramMetre2, eta_r: One) -> KilogramMetre2:
 
     ``J`` inertia behind the stage, referred to the driving side; ``eta_r`` efficiency while the load drives.
 
-    >>> returning_stage_inertia(0.005, 0.9)
+    >>> round(returning_stage_inertia(0.005, 0.9), 6)
     0.0045
     """
     return J * eta_r

@@ -208,3 +208,16 @@ def relative_static_power(P_S: Watt, P_N: Watt) -> One:
     0.25
     """
     return P_S / P_N
+
+
+@formula(symbol="P_zul", unit="kW", source="SEW 2001, 2.2: derating by temperature and altitude, increase by duty")
+def permitted_power(P_N: Watt, f_T: One, f_H: One, K: One) -> Watt:
+    """Power that the motor may give all the time in its surroundings and duty.
+
+    ``P_N`` rated power, ``f_T`` factor of the ambient temperature, ``f_H`` factor of the altitude, ``K`` power increase
+    factor of the duty type.
+
+    >>> round(permitted_power(1000.0, 0.92, 0.97, 1.0), 3)
+    892.4
+    """
+    return P_N * f_T * f_H * K

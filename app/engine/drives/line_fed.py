@@ -1,0 +1,223 @@
+"""What line-fed and pole-changing motors share: parts, states of load on the motor shaft, static power, holding."""
+
+from dataclasses import dataclass, replace
+
+from app.engine.drives.base import Given
+from app.engine.drives.mains_motion import Brake
+from app.engine.drives.mains_rules import CHECK_NAMES, LineFedRules
+from app.engine.drives.mains_shaft import MotorSide
+from app.engine.environment import RATED_ALTITUDE, RATED_AMBIENT, Environment
+from app.engine.formulas import induction as run
+from app.engine.formulas.braking import brake_torque_ratio
+from app.engine.formulas.conversion import torque_before_ratio
+from app.engine.formulas.efficiency import driving_stage_torque, retrograde_efficiency, returning_stage_torque
+from app.engine.formulas.servo import shaft_power
+from app.engine.mechanisms.base import Load
+from app.engine.products import GearUnit, InductionMotor, MotorBrake, Winding
+from app.engine.sheet import Sheet
+
+HELICAL_EFFICIENCY = 0.95
+HELICAL_SOURCE = "SEW 2001, 8.1: mean of two- and three-stage helical gear units"
+
+
+@dataclass(frozen=True)
+class MotorData:
+    """One winding, ready to calculate with."""
+
+    winding: Winding
+    rated_speed: float
+    synchronous_speed: float
+    rated_torque: float
+    run_up: float | None
+    """Mean run-up torque M_H [N m]; None where the source does not give it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LineFed:
+    """Parts and load of one line-fed drive."""
+
+    rules: LineFedRules
+    load: Load
+    environment: Environment
+    motor: InductionMotor | None
+    gear: GearUnit | None
+    brake_product: MotorBrake
+    brake: Brake | None
+    """None where no brake is chosen, or its application time is not known."""
+    gear_efficiency: float
+    motor_inertia: float | None
+    """With brake where there is one [kg m2]"""
+
+    @classmethod
+    def of(cls, rules: LineFedRules, given: Given, sheet: Sheet) -> "LineFed":
+        """Join what was chosen, and put on the sheet what had to be assumed for it."""
+        motor, gear, brake = given.product("motor"), given.product("gear_unit"), given.product("brake")
+        if gear is None:
+            sheet.decide("The motor drives the load directly", "no gear unit is given")
+        return cls(
+            rules=rules, load=given.load, environment=given.environment, motor=motor, gear=gear,
+            brake_product=brake or MotorBrake(id="", manufacturer="", series="", model="", source=""),
+            brake=_brake(rules, brake, sheet), gear_efficiency=_gear_efficiency(rules, gear, sheet),
+            motor_inertia=None if motor is None else _inertia(motor, brake, sheet),
+        )  # fmt: skip
+
+    @property
+    def ratio(self) -> float:
+        """i = n_motor / n_output; 1 where the motor drives directly."""
+        return 1.0 if self.gear is None else self.gear.ratio
+
+    @property
+    def hangs(self) -> bool:
+        """Whether gravity moves the axis when nothing holds it."""
+        largest = max(abs(self.load.statics.forward), abs(self.load.statics.backward), 1e-12)
+        return abs(self.load.statics.holding) > 1e-9 * largest
+
+    @property
+    def cycle_time(self) -> float:
+        """[s]"""
+        return self.load.cycle.cycle_time
+
+    def sides(self) -> list[MotorSide]:
+        """Every state of the load on the motor shaft."""
+        added = self.rules.flywheel_inertia + ((self.gear.inertia or 0.0) if self.gear else 0.0)
+        return [
+            MotorSide(
+                state=state, ratio=self.ratio, gear_efficiency=self.gear_efficiency,
+                motor_inertia=self.motor_inertia or 0.0, added_inertia=added, model=self.environment.regeneration,
+            )
+            for state in self.load.states
+        ]  # fmt: skip
+
+    def record_static(self, side: MotorSide, data: MotorData | None, sheet: Sheet) -> float:
+        """Write efficiency and power in steady running [W, unsigned]."""
+        key, eta = side.state.key, side.efficiency
+        if not sheet.has("total_efficiency"):
+            sheet(run.total_efficiency, eta_L=side.state.efficiency, eta_G=self.gear_efficiency)
+            sheet(retrograde_efficiency, eta=eta)
+        label = "Torque of the load with losses, in steady running"
+        if side.driven_by_load:
+            torque = sheet(returning_stage_torque, key=f"{key}_static_torque", symbol="M_S", label=label,
+                           T=side.load_torque, eta_r=side.factor(driving=False))  # fmt: skip
+        else:
+            torque = sheet(driving_stage_torque, key=f"{key}_static_torque", symbol="M_S", label=label,
+                           T=side.load_torque, eta=eta)  # fmt: skip
+        speed = side.state.speed * side.ratio
+        power = sheet(shaft_power, key=f"{key}_static_power", symbol="P_S", unit="W",
+                      label="Power in steady running at the motor shaft", M=abs(torque), omega=speed)  # fmt: skip
+        limit = side.state.permissible_acceleration
+        if limit is not None and not side.driven_by_load:
+            alpha = limit / (side.state.travel or 1.0)
+            net = (side.state.torque + side.state.inertia * alpha) / side.ratio
+            total = sheet(driving_stage_torque, key=f"{key}_torque_at_limit", symbol="M_T", T=net, eta=eta,
+                          label="Torque at the permissible acceleration, without the motor itself")  # fmt: skip
+            sheet(shaft_power, key=f"{key}_power_at_limit", symbol="P_T", unit="W", M=total, omega=speed,
+                  label="Power at the permissible acceleration, without the motor")  # fmt: skip
+        if data is not None:
+            sheet(run.relative_static_power, key=f"{key}_relative_static_power", P_S=power,
+                  P_N=data.winding.rated_power)  # fmt: skip
+        return power
+
+    def check_power(self, data: MotorData | None, sheet: Sheet) -> None:
+        """Check the largest power in steady running against the rating, derated by the surroundings."""
+        if data is None or not self.load.states:
+            return
+        powers = [sheet.value(f"{state.key}_static_power") for state in self.load.states]
+        with sheet.section("Rating of the motor"):
+            permitted, missing = self._rating(data, sheet)
+            sheet.check("static_power", CHECK_NAMES["static_power"], max(powers), permitted, "kW",
+                        "motor: data sheet, rated power", formula="shaft_power", missing=missing)  # fmt: skip
+
+    def _rating(self, data: MotorData, sheet: Sheet) -> tuple[float | None, str]:
+        """Rated power in these surroundings [W], None with what lacks."""
+        hot = self.environment.ambient_temperature > RATED_AMBIENT
+        high = self.environment.altitude > RATED_ALTITUDE
+        f_T: float | None = 1.0
+        f_H: float | None = 1.0
+        if hot:
+            celsius = self.environment.ambient_temperature - 273.15
+            text = "factor of the ambient temperature on the rated power"
+            f_T = sheet.look_up("derating_f_t", text, symbol="f_T", x=celsius)
+        if high:
+            text = "factor of the altitude on the rated power"
+            f_H = sheet.look_up("derating_f_h", text, symbol="f_H", x=self.environment.altitude)
+        if f_T is None or f_H is None:
+            return None, "factor of the surroundings on the rated power"
+        K = self.rules.power_increase
+        if f_T == f_H == K == 1.0:
+            return data.winding.rated_power, ""
+        return sheet(run.permitted_power, P_N=data.winding.rated_power, f_T=f_T, f_H=f_H, K=K), ""
+
+    def check_holding(self, sheet: Sheet) -> None:
+        """Check the brake against the torque that holds the load at standstill, where gravity pulls."""
+        if not self.hangs or self.brake_product.torque is None:
+            return
+        label = "Torque that holds the load, on the motor shaft"
+        torque = sheet(torque_before_ratio, key="holding_torque_on_motor", symbol="M_hold", label=label,
+                       M=self.load.statics.holding, i=self.ratio)  # fmt: skip
+        sheet(brake_torque_ratio, M_B=self.brake_product.torque, M_L=torque)
+        demanded = abs(torque) * self.rules.holding_reserve
+        sheet.check("brake_holding", CHECK_NAMES["brake_holding"], demanded, self.brake_product.torque, "N m",
+                    "brake: data sheet", formula="torque_before_ratio")  # fmt: skip
+
+
+def motor_data(line: LineFed, winding: Winding, sheet: Sheet, name: str = "") -> MotorData | None:
+    """Torques and speeds of one winding; None where the source gives no rated speed, with a check that says so."""
+    if winding.rated_speed is None:
+        sheet.check("static_power", CHECK_NAMES["static_power"], None, None, "kW", "motor: data sheet",
+                    missing="rated speed of the motor")  # fmt: skip
+        return None
+    with sheet.section(f"Motor{name.replace('_', ' ')}"):
+        sync = sheet(run.synchronous_speed, key=f"synchronous_speed{name}", f_1=winding.frequency, z_p=winding.poles)
+        M_N = sheet(run.rated_torque, key=f"rated_torque{name}", P_N=winding.rated_power, n_N=winding.rated_speed)
+        M_H = winding.run_up_torque
+        if M_H is None and winding.run_up_torque_ratio is not None:
+            M_H = sheet(run.run_up_torque, key=f"run_up_torque{name}", r_H=winding.run_up_torque_ratio, M_N=M_N)
+        if M_H is None:
+            sheet.check(f"run_up_torque{name}", CHECK_NAMES["run_up_torque"], None, None, "N m", "motor: data sheet",
+                        missing="mean run-up torque of the motor")  # fmt: skip
+        if line.motor_inertia is None:
+            sheet.check(f"run_up_inertia{name}", CHECK_NAMES["run_up_torque"], None, None, "N m", "motor: data sheet",
+                        missing="rotor inertia of the motor")  # fmt: skip
+    return MotorData(winding, winding.rated_speed, sync, M_N, M_H)
+
+
+def _gear_efficiency(rules: LineFedRules, gear: GearUnit | None, sheet: Sheet) -> float:
+    if gear is None:
+        return 1.0
+    found = gear.efficiency if gear.efficiency is not None else rules.gear_efficiency
+    if found is None:
+        sheet.assume("drive.gear_unit.efficiency", "efficiency of the gear unit", value=HELICAL_EFFICIENCY,
+                     symbol="eta_G", source=HELICAL_SOURCE)  # fmt: skip
+        return HELICAL_EFFICIENCY
+    return found
+
+
+def _inertia(motor: InductionMotor, brake: MotorBrake | None, sheet: Sheet) -> float | None:
+    """Inertia of rotor and brake [kg m2]."""
+    if brake is None:
+        return motor.rotor_inertia if motor.rotor_inertia is not None else motor.rotor_inertia_with_brake
+    if motor.rotor_inertia_with_brake is not None:
+        return motor.rotor_inertia_with_brake
+    if motor.rotor_inertia is not None and brake.inertia is not None:
+        return motor.rotor_inertia + brake.inertia
+    if motor.rotor_inertia is not None:
+        sheet.assume("drive.motor.rotor_inertia_with_brake", "the inertia of the brake is unknown, left out",
+                     value=motor.rotor_inertia, unit="kg m2", symbol="J_M", source=motor.source)  # fmt: skip
+    return motor.rotor_inertia
+
+
+def _brake(rules: LineFedRules, brake: MotorBrake | None, sheet: Sheet) -> Brake | None:
+    if brake is None:
+        sheet.decide("No stop is calculated", "no brake is given")
+        return None
+    delay = brake.application_time_dc if rules.cut_off == "dc" else brake.application_time_ac
+    if brake.torque is None or delay is None:
+        sheet.check("brake_stops", CHECK_NAMES["brake_stops"], None, None, "N m", "brake: data sheet",
+                    missing="torque or application time of the brake")  # fmt: skip
+        return None
+    return Brake(torque=brake.torque, delay=delay, tolerance=rules.stopping_tolerance)
+
+
+def with_torque(brake: Brake, torque: float) -> Brake:
+    """The same brake set to another torque."""
+    return replace(brake, torque=torque)

@@ -1,0 +1,127 @@
+"""Starting and stopping of one state of load on the mains: steps and checks that several kinds of drive share."""
+
+from dataclasses import dataclass
+
+from app.engine.drives.mains_rules import CHECK_NAMES
+from app.engine.drives.mains_shaft import MotorSide
+from app.engine.formulas import braking as stop
+from app.engine.formulas import induction as run
+from app.engine.formulas.conversion import linear_speed
+from app.engine.formulas.motion import ramp_acceleration, ramp_distance
+from app.engine.sheet import Sheet
+
+SLIP_SOURCE = "mechanism: acceleration at which wheels slip or goods topple"
+
+
+@dataclass(frozen=True)
+class Start:
+    """One run-up; None where the motor does not start the load."""
+
+    time: float
+    """[s]"""
+    acceleration: float
+    """Of the load [m/s2 or rad/s2]"""
+
+
+@dataclass(frozen=True)
+class Stop:
+    """One stop by the brake."""
+
+    distance: float
+    """[m or rad]"""
+    deceleration: float
+    work: float
+    """[J]"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Brake:
+    """The brake as it is set."""
+
+    torque: float
+    """[N m]"""
+    delay: float
+    """t_2 [s]"""
+    tolerance: float
+
+
+def record_start(sheet: Sheet, side: MotorSide, M_H: float, omega: float, name: str = "") -> Start | None:
+    """Write a run-up against the load to speed ``omega``; ``name`` goes into the keys where a state starts twice."""
+    key, label = f"{side.state.key}{name}", side.state.label
+    burden = side.record_burden(sheet, M_H, f"starting{name}", "Starting")
+    sheet.check(f"run_up_torque_{key}", f"{CHECK_NAMES['run_up_torque']}: {label}", max(burden.torque, 0.0), M_H, "N m",
+                "motor: mean run-up torque", formula="run_up_torque")  # fmt: skip
+    if burden.torque >= M_H:
+        return None
+    time = sheet(
+        run.run_up_time, key=f"{key}_run_up_time", J_tot=burden.inertia, omega=omega, M_H=M_H, M_L=burden.torque
+    )
+    v = sheet(linear_speed, key=f"{key}_speed_reached", symbol="v", label="Speed of the load after the run-up",
+              omega=omega, A=side.travel)  # fmt: skip
+    turning = side.state.travel is None
+    a = sheet(ramp_acceleration, key=f"{key}_run_up_acceleration", symbol="a_A", label="Acceleration of the load",
+              unit="rad/s2" if turning else "", v=v, t_A=time)  # fmt: skip
+    sheet(ramp_distance, key=f"{key}_run_up_distance", symbol="s_A", label="Path of the run-up",
+          unit="rad" if turning else "mm", v=v, t_A=time)  # fmt: skip
+    return Start(time, a)
+
+
+def check_slip(sheet: Sheet, side: MotorSide, rate: float, phase: str) -> None:
+    """Check acceleration or deceleration (unsigned) against what the load bears; ``phase`` as in ``CHECK_NAMES``."""
+    limit = side.state.permissible_acceleration
+    if limit is not None:
+        unit = "rad/s2" if side.state.travel is None else "m/s2"
+        sheet.check(f"{phase}_{side.state.key}", f"{CHECK_NAMES[phase]}: {side.state.label}", rate, limit, unit,
+                    SLIP_SOURCE, formula="ramp_acceleration")  # fmt: skip
+
+
+def record_least_flywheel(sheet: Sheet, side: MotorSide, M_H: float, omega: float) -> None:
+    """Write the least additional inertia with which the run-up keeps the permissible acceleration."""
+    limit = side.state.permissible_acceleration
+    if limit is None:
+        return
+    bare = side.with_added(0.0)
+    burden = bare.burden(M_H)
+    sheet(run.least_flywheel, key=f"{side.state.key}_least_flywheel", M_H=M_H, M_L=burden.torque, omega=omega,
+          v=omega * side.travel, a_p=limit, J_tot=burden.inertia)  # fmt: skip
+
+
+def record_stop(
+    sheet: Sheet, side: MotorSide, brake: Brake, omega: float, *, falls: bool, name: str = ""
+) -> Stop | None:
+    """Write a stop from motor speed ``omega``; ``falls``: gravity changes the speed until the brake applies."""
+    key = f"{side.state.key}{name}"
+    before = omega
+    if falls:
+        free = side.record_burden(sheet, 0.0, f"delay{name}", "Until the brake applies")
+        change = sheet(stop.speed_change_in_delay, key=f"{key}_speed_change_in_delay", M_L=free.torque,
+                       J_tot=free.inertia, t_2=brake.delay)  # fmt: skip
+        before = max(omega + change, 0.0)
+    burden = side.record_burden(sheet, -brake.torque, f"braking{name}", "Braking")
+    label = f"{CHECK_NAMES['brake_stops']}: {side.state.label}"
+    sheet.check(f"brake_stops_{key}", label, max(-burden.torque, 0.0), brake.torque, "N m", "brake: data sheet",
+                formula="braking_time")  # fmt: skip
+    if brake.torque + burden.torque <= 0:
+        return None
+    time = sheet(stop.braking_time, key=f"{key}_braking_time", J_tot=burden.inertia, omega=before, M_B=brake.torque,
+                 M_L=burden.torque)  # fmt: skip
+    v_0 = sheet(linear_speed, key=f"{key}_braking_speed", symbol="v_0", label="Speed at which the brake applies",
+                omega=before, A=side.travel)  # fmt: skip
+    turning = side.state.travel is None
+    rate = sheet(stop.braking_deceleration, key=f"{key}_braking_deceleration", unit="rad/s2" if turning else "",
+                 v=v_0, t_B=time)  # fmt: skip
+    distance = sheet(stop.stopping_distance, key=f"{key}_stopping_distance", unit="rad" if turning else "",
+                     v=(omega + before) / 2 * side.travel, v_0=v_0, t_2=brake.delay, t_B=time)  # fmt: skip
+    sheet(stop.stopping_accuracy, key=f"{key}_stopping_accuracy", unit="rad" if turning else "", k_X=brake.tolerance,
+          s_B=distance)  # fmt: skip
+    work = sheet(stop.braking_work, key=f"{key}_braking_work", M_B=brake.torque, omega=before, t_B=time)
+    return Stop(distance, rate, work)
+
+
+def record_brake_limit(sheet: Sheet, side: MotorSide, brake: Brake, omega: float) -> None:
+    """Write the braking torque that just keeps the permissible deceleration."""
+    limit = side.state.permissible_acceleration
+    if limit is not None:
+        burden = side.burden(-brake.torque)
+        sheet(stop.braking_torque_of_deceleration, key=f"{side.state.key}_largest_braking_torque", J_tot=burden.inertia,
+              a_p=limit, omega=omega, v=omega * side.travel, M_L=burden.torque)  # fmt: skip
