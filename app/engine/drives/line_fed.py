@@ -1,8 +1,10 @@
 """What line-fed and pole-changing motors share: parts, states of load on the motor shaft, static power, holding."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from app.engine.drives.base import Given
+from app.engine.drives.gear_service import GearCase, record_gear_service
 from app.engine.drives.mains_motion import Brake
 from app.engine.drives.mains_rules import CHECK_NAMES, LineFedRules
 from app.engine.drives.mains_shaft import MotorSide
@@ -146,6 +148,26 @@ class LineFed:
         if f_T == f_H == K == 1.0:
             return data.winding.rated_power, ""
         return sheet(run.permitted_power, P_N=data.winding.rated_power, f_T=f_T, f_H=f_H, K=K), ""
+
+    @property
+    def duty(self) -> float:
+        """Share of the cycle in motion, or as given."""
+        if self.rules.duty is not None:
+            return self.rules.duty
+        return min(sum(state.duration for state in self.load.states) / self.cycle_time, 1.0)
+
+    def record_gear_unit(self, data: MotorData, sides: Sequence[MotorSide], sheet: Sheet) -> None:
+        """Write and check what the gear unit bears behind this winding."""
+        if self.gear is None:
+            return
+        flywheel = self.rules.flywheel_inertia
+        case = GearCase(
+            gear=self.gear, service=self.rules, load=self.load, motor_speed=data.rated_speed,
+            rated_torque=data.rated_torque, external_inertia=max((s.external_inertia for s in sides), default=None),
+            motor_inertia=None if self.motor_inertia is None else self.motor_inertia + flywheel,
+            efficiency=self.gear_efficiency, ambient=self.environment.ambient_temperature, duty=self.duty,
+        )  # fmt: skip
+        record_gear_service(case, sheet)
 
     def check_holding(self, sheet: Sheet) -> None:
         """Check the brake against the torque that holds the load at standstill, where gravity pulls."""

@@ -50,6 +50,8 @@ class MainsDrive(LineFedRules, DriveModel):
                 side.record(sheet)
                 line.record_static(side, data, sheet)
         line.check_power(data, sheet)
+        if data is not None:
+            line.record_gear_unit(data, sides, sheet)
         diagrams: tuple[Any, ...] = ()
         if data is not None and data.run_up is not None and line.motor_inertia is not None:
             starts = _record_starts(line, data, data.run_up, sides, sheet)
@@ -131,4 +133,5 @@ def record_brake_duty(line: LineFed, stops: dict[str, Stop], sides: Sequence[Mot
         mean = sheet(stop_formulas.mean_braking_work, W_c=work, z_c=sum(counts))
         life = line.brake_product.work_until_adjustment
         if life is not None:
-            sheet(stop_formulas.brake_life, W_N=life, W_B=mean, Z_B=sum(counts) / line.cycle_time)
+            time = sheet(stop_formulas.brake_life, W_N=life, W_B=mean, Z_B=sum(counts) / line.cycle_time)
+            sheet(stop_formulas.brake_life_in_days, key="brake_life_days", L_B=time, t_d=line.rules.hours_per_day)

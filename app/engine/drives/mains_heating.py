@@ -13,13 +13,6 @@ SOURCE = "motor: permitted starts without load, and SEW 2001, 7.9"
 KEY = "starting_frequency"
 
 
-def duty_of(line: LineFed) -> float:
-    """Share of the cycle in motion, or as given."""
-    if line.rules.duty is not None:
-        return line.rules.duty
-    return min(sum(state.duration for state in line.load.states) / line.cycle_time, 1.0)
-
-
 def starting_factor(line: LineFed, side: MotorSide, sheet: Sheet) -> float | None:
     """K_P of one state: the user's own, else read from the tabulated chart. Raises EngineError for an unknown state."""
     known = {state.key for state in line.load.states}
@@ -32,7 +25,7 @@ def starting_factor(line: LineFed, side: MotorSide, sheet: Sheet) -> float | Non
     given = next((row.factor for row in line.rules.starting_factors if row.state == side.state.key), None)
     share = sheet.value(f"{side.state.key}_relative_static_power")
     text = f"factor of static power and duty on the starting frequency: {side.state.label}"
-    return sheet.look_up("starting_frequency_k_p", text, symbol="K_P", x=share, family=duty_of(line), given=given)
+    return sheet.look_up("starting_frequency_k_p", text, symbol="K_P", x=share, family=line.duty, given=given)
 
 
 def record_state(line: LineFed, data: MotorData, M_H: float, side: MotorSide, sheet: Sheet) -> float | None:

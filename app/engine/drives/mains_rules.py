@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.engine.drives.gear_service import GearService
 from app.engine.quantity import Declared, Option, Quantity
 
 _START, _BRAKE, _MOTOR = "Starting", "Braking", "Motor"
@@ -19,7 +20,7 @@ class StartingFactor(Declared):
     factor: Annotated[float, Quantity("1", symbol="K_P", gt=0, le=2, about="factor K_P")]
 
 
-class LineFedRules(Declared):
+class LineFedRules(GearService):
     """Rules of motors that run on the mains."""
 
     flywheel_inertia: Annotated[

@@ -154,3 +154,15 @@ def brake_torque_ratio(M_B: NewtonMetre, M_L: NewtonMetre) -> One:
     4.0
     """
     return M_B / abs(M_L)
+
+
+@formula(symbol="L_B", unit="1", source="SEW 2001, 8.1: days between two readjustments")
+def brake_life_in_days(L_B: Second, t_d: Second) -> One:
+    """Working days until the brake must be readjusted.
+
+    ``L_B`` operating time until readjustment, ``t_d`` operating time per day.
+
+    >>> brake_life_in_days(2600 * 3600.0, 8 * 3600.0)
+    325.0
+    """
+    return L_B / t_d

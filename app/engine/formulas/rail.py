@@ -46,6 +46,32 @@ def slip_acceleration(mu_0: One, k_d: One, g: MetrePerSecond2, alpha: Rad) -> Me
     return mu_0 * k_d * g * cos(alpha)
 
 
+@formula(symbol="a_p", unit="m/s2", source="derived: the driven wheels also pull the others while starting")
+def starting_slip_acceleration(F_R: Newton, F_T: Newton, m: Kilogram) -> MetrePerSecond2:
+    """Acceleration at which the driven wheels slip while starting, with the resistance of the other wheels.
+
+    ``F_R`` force that the driven wheels transmit, ``F_T`` resistance of the wheels that are not driven, ``m`` mass on
+    all wheels.
+
+    >>> round(starting_slip_acceleration(2207.25, 120.663, 3000.0), 6)
+    0.695529
+    """
+    return (F_R - F_T) / m
+
+
+@formula(symbol="a_p", unit="m/s2", source="derived: the other wheels help to brake")
+def braking_slip_deceleration(F_R: Newton, F_T: Newton, m: Kilogram) -> MetrePerSecond2:
+    """Deceleration at which the driven wheels slip while braking, with the resistance of the other wheels.
+
+    ``F_R`` force that the driven wheels transmit, ``F_T`` resistance of the wheels that are not driven, ``m`` mass on
+    all wheels.
+
+    >>> round(braking_slip_deceleration(2207.25, 120.663, 3000.0), 6)
+    0.775971
+    """
+    return (F_R + F_T) / m
+
+
 @formula(symbol="F_T", unit="N", source="derived: the driven wheels overcome their own resistance at their bearings")
 def trailing_resistance(F_F: Newton, k_d: One) -> Newton:
     """Resistance of the wheels that are not driven, which the driven ones must transmit to the rail.

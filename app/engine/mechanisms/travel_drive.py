@@ -9,7 +9,14 @@ from pydantic import model_validator
 
 from app.engine.environment import Environment
 from app.engine.formulas.belt import pulley_transmission
-from app.engine.formulas.rail import adhesion_force, rolling_resistance, slip_acceleration, trailing_resistance
+from app.engine.formulas.rail import (
+    adhesion_force,
+    braking_slip_deceleration,
+    rolling_resistance,
+    slip_acceleration,
+    starting_slip_acceleration,
+    trailing_resistance,
+)
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces, weight_along_axis
 from app.engine.mechanisms.base import Load, Mechanism
 from app.engine.mechanisms.guided_axis import refused, without_zeros
@@ -237,6 +244,8 @@ class TravelDrive(Mechanism):
         mu_0, k_d, g, alpha = self.static_friction, self.driven_share, environment.gravity, self.slope
         with sheet.section(SLIP):
             permissible = sheet(slip_acceleration, key="permissible_acceleration", mu_0=mu_0, k_d=k_d, g=g, alpha=alpha)
+            if not alpha:
+                self._record_strict_limits(sheet, vehicle, float(motion.payload.max()), g)
         runs = [motion, motion.mirrored()] if vehicle.inclined else [motion]
         payload = np.tile(motion.payload, len(runs))
         slowing = np.concatenate([_slowing(run) for run in runs])
@@ -250,6 +259,14 @@ class TravelDrive(Mechanism):
                     k = int(np.argmax(np.where(where, used, -1.0)))
                     self._record_slip(sheet, environment, f"{phase}_{state}", float(payload[k]), float(abs(rim[k])))
         return permissible
+
+    def _record_strict_limits(self, sheet: Sheet, vehicle: _Vehicle, payload: float, gravity: float) -> None:
+        """Write the limits with the resistance of the other wheels; they do not depend on the payload."""
+        m = float(vehicle.moved_mass(payload))
+        grip = sheet(adhesion_force, mu_0=self.static_friction, k_d=self.driven_share, m=m, g=gravity, alpha=self.slope)
+        trailing = sheet(trailing_resistance, F_F=float(vehicle.rolling(payload, gravity)), k_d=self.driven_share)
+        sheet(starting_slip_acceleration, F_R=grip, F_T=trailing, m=m)
+        sheet(braking_slip_deceleration, F_R=grip, F_T=trailing, m=m)
 
     def _rim_force(self, vehicle: _Vehicle, motion: MotionProfile, gravity: float) -> FloatArray:
         """Force between driven wheels and rails in each segment, shape (n,) [N]."""

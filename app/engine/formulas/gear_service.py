@@ -1,0 +1,91 @@
+"""Industrial gear units: output speed and torque, service factor, overhung load, backlash on the machine."""
+
+from app.engine.formula import formula
+from app.engine.units import KilogramMetre2, Metre, MetrePerRad, Newton, NewtonMetre, One, Rad, RadPerSecond
+
+
+@formula(symbol="n_a", unit="rpm", source="SEW 2001, 6.1: output speed of the chosen ratio")
+def output_speed(omega: RadPerSecond, i: One) -> RadPerSecond:
+    """Speed of the output shaft.
+
+    ``omega`` speed of the motor, ``i`` ratio of the gear unit.
+
+    >>> output_speed(150.0, 30.0)
+    5.0
+    """
+    return omega / i
+
+
+@formula(symbol="M_a", unit="N m", source="SEW 2001, 8.2: rated torque of the motor at the output, on the safe side")
+def output_torque(M_N: NewtonMetre, i: One) -> NewtonMetre:
+    """Torque at the output of a gear unit when the motor gives its rated torque; the losses are left out.
+
+    ``M_N`` rated torque of the motor, ``i`` ratio of the gear unit.
+
+    >>> output_torque(2.0, 45.0)
+    90.0
+    """
+    return M_N * i
+
+
+@formula(symbol="f_a", unit="1", source="SEW 2001, 6.2: factor of inertia")
+def inertia_factor_of_load(J_ext: KilogramMetre2, J_M: KilogramMetre2) -> One:
+    """External inertia over everything that turns with the motor, flywheel included: it decides on the load class.
+
+    ``J_ext`` external inertia referred to the motor shaft, without losses, ``J_M`` inertia of motor, brake and
+    flywheel.
+
+    >>> inertia_factor_of_load(0.75, 0.25)
+    3.0
+    """
+    return J_ext / J_M
+
+
+@formula(symbol="f_BT", unit="1", source="SEW 2001, 6.2: service factor of worm gear units")
+def total_service_factor(f_B: One, f_B1: One, f_B2: One) -> One:
+    """Service factor that is demanded of a gear unit.
+
+    ``f_B`` by load class, hours per day and load changes, ``f_B1`` by the ambient temperature and ``f_B2`` by the duty:
+    both 1 but for worm gear units.
+
+    >>> round(total_service_factor(1.51, 1.38, 0.95), 3)
+    1.98
+    """
+    return f_B * f_B1 * f_B2
+
+
+@formula(symbol="f_B", unit="1", source="SEW 2001, 6.2: service factor that a gear unit has")
+def actual_service_factor(M_amax: NewtonMetre, M_a: NewtonMetre) -> One:
+    """Service factor of a gear unit behind a motor.
+
+    ``M_amax`` permitted output torque at a service factor of 1, ``M_a`` torque at the output.
+
+    >>> round(actual_service_factor(130.0, 87.535), 3)
+    1.485
+    """
+    return M_amax / M_a
+
+
+@formula(symbol="F_Q", unit="N", source="SEW 2001, 6.3: overhung load")
+def overhung_load(M_a: NewtonMetre, d_0: Metre, f_Z: One) -> Newton:
+    """Radial force on the output shaft of a gear unit.
+
+    ``M_a`` torque at the output, ``d_0`` pitch diameter of the element that sits on the gear shaft itself, ``f_Z``
+    factor of that element.
+
+    >>> round(overhung_load(87.535, 0.13537, 1.25), 1)
+    1616.6
+    """
+    return 2 * M_a / d_0 * f_Z
+
+
+@formula(symbol="ds", unit="mm", source="derived: backlash of the output shaft as a path of the load")
+def backlash_on_load(phi_G: Rad, A: MetrePerRad) -> Metre:
+    """Lost motion of the load by the backlash of the gear unit.
+
+    ``phi_G`` backlash of the output shaft, ``A`` path of the load per radian of the output shaft.
+
+    >>> backlash_on_load(0.004, 0.25)
+    0.001
+    """
+    return phi_G * A
