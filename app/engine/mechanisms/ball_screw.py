@@ -142,6 +142,9 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
         given = self.model_fields_set
         if self.thread_friction is not None and "efficiency" in given:
             raise refused(self, "thread_friction", "give either the friction of the thread or the efficiency, not both")
+        if self.thread_friction is not None and self.thread_friction * self.lead >= np.pi * self.nominal_diameter:
+            raise refused(self, "thread_friction", "the screw cannot move its nut: lead and friction are too large for "
+                          "this diameter")  # fmt: skip
         if self.screw_friction == "diameter_rule" and self.screw_friction_torque:
             raise refused(self, "screw_friction_torque", "stands beside the rule by diameter; choose one of them")
         return self

@@ -177,9 +177,9 @@ def test_arrays_equal_a_loop(kind: str, data: st.DataObject):
 @HARD
 @given(data=st.data(), model=MODELS)
 def test_a_mechanism_in_its_simplest_form_is_the_same_in_both_directions(kind: str, data: st.DataObject, model: str):
-    laws.mirrored_motion_mirrors_the_torques(
-        data.draw(drawn(kind, WORST, most=0)), data.draw(motions(kind, process=False)), model
-    )
+    mechanism, motion = data.draw(drawn(kind, WORST, most=0)), data.draw(motions(kind, process=False))
+    if loaded(mechanism, motion).opposite is None:  # a hoist differs in its simplest form, too
+        laws.mirrored_motion_mirrors_the_torques(mechanism, motion, model)
 
 
 @EVERY
