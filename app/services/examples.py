@@ -10,14 +10,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from app.engine.quantity import from_si
+from app.engine.sheet import Sheet
+from app.services.calculation import CalculationService
 from app.services.errors import InvalidInputError, NotFoundError
 from app.services.reading import read
-from app.services.sizing import Sizing, SizingService
+from app.services.sizing import Headline, SizingService
 
 TOLERANCE = 1e-3
 """Relative deviation from the exact value that is still agreement."""
@@ -25,6 +27,22 @@ DEMANDED = ("agrees", "rounding", "slip")
 """Rows of these statuses must be met; ``derived`` ones are further results of the recomputation."""
 
 Produced = Literal["ok", "deviates", "missing"]
+
+
+class Computed(Protocol):
+    """What answers a request of an example: an axis, a calculation with formulas."""
+
+    @property
+    def sheet(self) -> Sheet:
+        """Every step and check."""
+
+    @property
+    def headlines(self) -> tuple[Headline, ...]:
+        """Results shown before all others."""
+
+    @property
+    def asked(self) -> Any:
+        """The request, read."""
 
 
 class Take(BaseModel):
@@ -119,7 +137,7 @@ class Example:
 
     file: ExampleFile
     rows: tuple[ExampleRow, ...]
-    sizings: Mapping[str, Sizing]
+    computed: Mapping[str, Computed]
 
     @property
     def counts(self) -> dict[str, int]:
@@ -143,6 +161,7 @@ class ExampleService:
 
     def __init__(self, sizing: SizingService, folder: Path) -> None:
         self._sizing = sizing
+        self._calculations = CalculationService()
         self._folder = folder
 
     @cached_property
@@ -167,26 +186,32 @@ class ExampleService:
     def run(self, example_id: str) -> Example:
         """One example, recomputed. Raises NotFoundError."""
         file = self.file(example_id)
-        sizings: dict[str, Sizing] = {}
+        computed: dict[str, Computed] = {}
         refused: dict[str, str] = {}
         for name, request in file.requests.items():
             try:
-                sizings[name] = self._sizing.size(request)
+                computed[name] = self._compute(request)
             except InvalidInputError as error:
                 refused[name] = "; ".join(f"{e.name} {e.message}" for e in error.errors)
-        rows = tuple(_row(row, sizings, refused) for row in file.rows)
-        return Example(file, rows, sizings)
+        rows = tuple(_row(row, computed, refused) for row in file.rows)
+        return Example(file, rows, computed)
+
+    def _compute(self, request: Mapping[str, Any]) -> Computed:
+        """Answer one request, of whatever kind it is."""
+        if "calculation" in request:
+            return self._calculations.calculate(request)
+        return self._sizing.size(request)
 
     def run_all(self) -> list[Example]:
         """Every example, recomputed."""
         return [self.run(example_id) for example_id in self._files]
 
 
-def _row(row: ExpectedRow, sizings: Mapping[str, Sizing], refused: Mapping[str, str]) -> ExampleRow:
+def _row(row: ExpectedRow, found: Mapping[str, Computed], refused: Mapping[str, str]) -> ExampleRow:
     computed, reason = None, row.missing
     if row.take is not None:
-        if row.take.request in sizings:
-            computed = _value(row.take, row.unit, sizings[row.take.request])
+        if row.take.request in found:
+            computed = _value(row.take, row.unit, found[row.take.request])
             reason = "" if computed is not None else f"the result has no {row.take.origin} {row.take.key!r}"
         else:
             why = refused.get(row.take.request, "there is no such request")
@@ -199,7 +224,7 @@ def _row(row: ExpectedRow, sizings: Mapping[str, Sizing], refused: Mapping[str, 
     )  # fmt: skip
 
 
-def _value(take: Take, unit: str, sizing: Sizing) -> float | None:
+def _value(take: Take, unit: str, sizing: Computed) -> float | None:
     """The number in ``unit``, unrounded as far as ``unit`` allows."""
     match take.origin:
         case "step":
@@ -210,7 +235,7 @@ def _value(take: Take, unit: str, sizing: Sizing) -> float | None:
             check = next((c for c in sizing.sheet.checks if c.key == take.key), None)
             si = None if check is None else getattr(check, take.side)
         case "input":
-            si = _input(sizing.typed.request, take.key)
+            si = _input(sizing.asked, take.key)
     if si is None:
         return None
     return take.factor * (si if take.side == "utilisation" else from_si(si, unit))

@@ -13,9 +13,11 @@ from app.engine.drives.parts import roles_of
 from app.engine.products import Product
 from app.engine.quantity import from_si, si_factor
 from app.engine.sheet import Assumption, Check, Sheet, Step
+from app.services.calculation import Calculation
 from app.services.examples import Example, ExampleRow
 from app.services.selection import Explanation, RankedCandidate, SelectionOutcome
 from app.services.sizing import Parts, Sizing
+from app.services.version import ENGINE_VERSION
 
 LISTED_VALUES = 12
 """An array put into a formula is listed up to this many values."""
@@ -41,6 +43,11 @@ def sizing_json(sizing: Sizing) -> bytes:
         **_sheet_dict(sizing.sheet),
         "load_cycle": load_cycle_dict(sizing.load.cycle),
     })  # fmt: skip
+
+
+def calculation_json(calculation: Calculation) -> bytes:
+    """The answer to a calculation with formulas."""
+    return to_json({"engine_version": ENGINE_VERSION, "steps": [_step_dict(step) for step in calculation.sheet.steps]})
 
 
 def selection_json(outcome: SelectionOutcome) -> bytes:

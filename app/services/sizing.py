@@ -88,6 +88,11 @@ class Sizing:
     engine_version: str = ENGINE_VERSION
 
     @property
+    def asked(self) -> SizingRequest:
+        """What was asked, read."""
+        return self.typed.request
+
+    @property
     def counts(self) -> dict[Verdict, int]:
         """How many checks came out each way."""
         counted = Counter(check.verdict for check in self.sheet.checks)

@@ -11,7 +11,7 @@ from app.engine.drives.mains_shaft import MotorSide
 from app.engine.environment import RATED_ALTITUDE, RATED_AMBIENT, Environment
 from app.engine.formulas import induction as run
 from app.engine.formulas.braking import brake_torque_ratio
-from app.engine.formulas.conversion import torque_before_ratio
+from app.engine.formulas.conversion import torque_before_ratio, travel_before_ratio
 from app.engine.formulas.efficiency import driving_stage_torque, retrograde_efficiency, returning_stage_torque
 from app.engine.formulas.servo import shaft_power
 from app.engine.mechanisms.base import Load
@@ -94,6 +94,11 @@ class LineFed:
         """Write efficiency and power in steady running [W, unsigned]."""
         key, eta = side.state.key, side.efficiency
         if not sheet.has("total_efficiency"):
+            if side.state.travel is not None:
+                label = "Way of the load per radian of the motor shaft"
+                sheet(
+                    travel_before_ratio, key="travel_per_motor_radian", label=label, A=side.state.travel, i=side.ratio
+                )
             sheet(run.total_efficiency, eta_L=side.state.efficiency, eta_G=self.gear_efficiency)
             sheet(retrograde_efficiency, eta=eta)
         label = "Torque of the load with losses, in steady running"
@@ -177,6 +182,10 @@ class LineFed:
         torque = sheet(torque_before_ratio, key="holding_torque_on_motor", symbol="M_hold", label=label,
                        M=self.load.statics.holding, i=self.ratio)  # fmt: skip
         sheet(brake_torque_ratio, M_B=self.brake_product.torque, M_L=torque)
+        static = max(abs(sheet.value(f"{state.key}_static_torque")) for state in self.load.states)
+        label = "How often the brake has the largest steady torque of the motor"
+        sheet(brake_torque_ratio, key="brake_torque_to_static_torque", label=label, M_B=self.brake_product.torque,
+              M_L=static)  # fmt: skip
         demanded = abs(torque) * self.rules.holding_reserve
         sheet.check("brake_holding", CHECK_NAMES["brake_holding"], demanded, self.brake_product.torque, "N m",
                     "brake: data sheet", formula="torque_before_ratio")  # fmt: skip

@@ -21,6 +21,7 @@ from app.engine.drives.mains_shaft import MotorSide
 from app.engine.drives.parts import InductionMotorChoice, IndustrialGearUnitChoice, MotorBrakeChoice
 from app.engine.formulas import braking as stop_formulas
 from app.engine.formulas import induction as run
+from app.engine.formulas.conversion import linear_speed
 from app.engine.sheet import Sheet
 
 HEADLINES = ("rated_torque", "run_up_torque", "permissible_cycles", "brake_life")
@@ -93,11 +94,11 @@ def _record_stops(line: LineFed, data: MotorData, brake: Brake, sides: Sequence[
             check_slip(sheet, side, found.deceleration, "slip_braking")
             record_brake_limit(sheet, side, brake, running_speed(data, side))
         if side.driven_by_load:
-            _record_emergency_stop(line, data, brake, side, sheet)
+            record_emergency_stop(line, data, brake, side, sheet)
     record_brake_duty(line, stops, sides, sheet)
 
 
-def _record_emergency_stop(line: LineFed, data: MotorData, brake: Brake, side: MotorSide, sheet: Sheet) -> None:
+def record_emergency_stop(line: LineFed, data: MotorData, brake: Brake, side: MotorSide, sheet: Sheet) -> None:
     """A stop out of the speed that the load drives the motor to, above the synchronous one: when the mains fail."""
     with sheet.section(f"Mains failure: {side.state.label}"):
         losses = side.factor(driving=False)
@@ -105,6 +106,8 @@ def _record_emergency_stop(line: LineFed, data: MotorData, brake: Brake, side: M
             run.oversynchronous_speed, key=f"{side.state.key}_oversynchronous_speed", n_S=data.synchronous_speed,
             n_N=data.rated_speed, M_L=side.load_torque * losses, M_N=data.rated_torque,
         )  # fmt: skip
+        label = "Speed of the load when it drives the motor"
+        sheet(linear_speed, key=f"{side.state.key}_oversynchronous_load_speed", label=label, omega=speed, A=side.travel)
         record_stop(sheet, side, brake, speed, falls=line.hangs, name="_emergency")
 
 

@@ -6,6 +6,7 @@ pinion, and lead / 2 pi of a screw.
 
 from app.engine.formula import formula, total
 from app.engine.units import (
+    Kilogram,
     KilogramMetre2,
     MetrePerRad,
     MetrePerSecond,
@@ -125,3 +126,27 @@ def mechanical_power(F: Newton, v: MetrePerSecond) -> Watt:
     200.0
     """
     return F * v
+
+
+@formula(symbol="P_D", unit="W", source="SEW 2001, 8.1: power that accelerates a load")
+def dynamic_power(m: Kilogram, a: MetrePerSecond2, v: MetrePerSecond, eta: One) -> Watt:
+    """Power at the motor shaft that accelerates a load, at the end of the acceleration.
+
+    ``m`` mass, ``a`` acceleration, ``v`` speed reached, ``eta`` efficiency between motor and load.
+
+    >>> dynamic_power(1000.0, 0.5, 1.0, 0.8)
+    625.0
+    """
+    return m * a * v / eta
+
+
+@formula(symbol="A_1", unit="mm/rad", source="derived: definition of the ratio")
+def travel_before_ratio(A: MetrePerRad, i: One) -> MetrePerRad:
+    """Way of the load per radian of the fast side of a stage.
+
+    ``A`` way of the load per radian of its slow side, ``i`` ratio.
+
+    >>> travel_before_ratio(0.125, 100.0)
+    0.00125
+    """
+    return A / i

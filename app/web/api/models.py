@@ -156,6 +156,13 @@ class SizingAnswer(Answer):
     load_cycle: LoadCycleAnswer
 
 
+class CalculationAnswer(Answer):
+    """Formulas, evaluated."""
+
+    engine_version: str
+    steps: list[StepAnswer]
+
+
 class FigureAnswer(Answer):
     """A Plotly figure."""
 

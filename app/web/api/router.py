@@ -2,9 +2,22 @@
 
 from fastapi import APIRouter
 
-from app.web.api import catalogue, charts, examples, formulas, mechanisms, projects, reports, selections, sizings
+from app.web.api import (
+    calculations,
+    catalogue,
+    charts,
+    examples,
+    formulas,
+    mechanisms,
+    projects,
+    reports,
+    selections,
+    sizings,
+)
 from app.web.errors import problems
 
 router = APIRouter(prefix="/api/v1", responses=problems(400, 500))
-for part in (mechanisms, sizings, charts, selections, catalogue, projects, examples, formulas, reports):
+for part in (
+    mechanisms, sizings, charts, selections, calculations, catalogue, projects, examples, formulas, reports,
+):  # fmt: skip
     router.include_router(part.router)

@@ -1,6 +1,8 @@
 """Worked examples of published sources: printed, computed, deviation, and what is wrong in the source."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
@@ -110,10 +112,13 @@ def request_views(example: Example) -> list[RequestView]:
     for name, raw in example.file.requests.items():
         query = urlencode({"example": example.file.id, "request": name})
         entries = tuple((path, value) for path, value in flat(raw) if not path.endswith("._row"))
-        views.append(
-            RequestView(name, str(raw.get("name") or name), f"/workbench/{raw['mechanism']['kind']}?{query}", entries)
-        )
+        views.append(RequestView(name, str(raw.get("name") or name.replace("_", " ")), _url(raw, query), entries))
     return views
+
+
+def _url(raw: Mapping[str, Any], query: str) -> str:
+    """Where a request is opened: an axis in the workbench, formulas in the calculation."""
+    return f"/calculation?{query}" if "calculation" in raw else f"/workbench/{raw['mechanism']['kind']}?{query}"
 
 
 def _number(value: float | None) -> str:
