@@ -25,13 +25,13 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 pi = np.pi
-sqrt, sin, cos, tan, arctan, exp, sign = np.sqrt, np.sin, np.cos, np.tan, np.arctan, np.exp, np.sign
+sqrt, sin, cos, tan, arctan, exp, log, sign = np.sqrt, np.sin, np.cos, np.tan, np.arctan, np.exp, np.log, np.sign
 minimum, maximum, where = np.minimum, np.maximum, np.where
 total = np.sum
 """Sum over the elements of an array; shown as a sum sign."""
 
 FUNCTIONS = frozenset(
-    ["sqrt", "sin", "cos", "tan", "arctan", "exp", "sign", "minimum", "maximum", "where", "total", "abs"]
+    ["sqrt", "sin", "cos", "tan", "arctan", "exp", "log", "sign", "minimum", "maximum", "where", "total", "abs"]
 )
 """What a formula body may call."""
 

@@ -17,7 +17,7 @@ from app.engine.formulas.duty import equivalent_output_torque, mean_speed
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.gear import emergency_torque_by_factor, emergency_torque_of_brake, peak_output_torque
 from app.engine.mechanisms.base import Load
-from app.engine.products import ServoGearUnit, ServoMotor
+from app.engine.products import GearUnit, ServoGearUnit, ServoMotor
 from app.engine.sheet import Sheet
 
 GEAR_SOURCE = "gear unit: data sheet"
@@ -27,7 +27,7 @@ GEAR_SOURCE = "gear unit: data sheet"
 class Transmission:
     """What stands between motor shaft and load: a gear unit, or nothing. Inertias are those on the motor shaft."""
 
-    gear: ServoGearUnit | None
+    gear: ServoGearUnit | GearUnit | None
     coupling_inertia: float
     """[kg m2]"""
     regeneration: RegenerationModel

@@ -38,7 +38,7 @@ def never_empty(translate: Translate) -> Translate:
 _EXACT = 12
 """Digits of a number that stands in the formula itself: it is shown as it is."""
 _SHOWN_OPERATORS = {"+": "+", "-": "−", "*": "·", "<": "<", "<=": "≤", ">": ">", ">=": "≥", "==": "=", "!=": "≠"}
-_FUNCTION_NAMES = {"minimum": "min", "maximum": "max", "sign": "sgn"}
+_FUNCTION_NAMES = {"log": "ln", "minimum": "min", "maximum": "max", "sign": "sgn"}
 
 
 class Binding(IntEnum):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from app.engine.drives.base import Given
 from app.engine.drives.gear_service import GearCase, record_gear_service
 from app.engine.drives.mains_motion import Brake
-from app.engine.drives.mains_rules import CHECK_NAMES, LineFedRules
+from app.engine.drives.mains_rules import CHECK_NAMES, MotorRules
 from app.engine.drives.mains_shaft import MotorSide
 from app.engine.environment import RATED_ALTITUDE, RATED_AMBIENT, Environment
 from app.engine.formulas import induction as run
@@ -38,7 +38,7 @@ class MotorData:
 class LineFed:
     """Parts and load of one line-fed drive."""
 
-    rules: LineFedRules
+    rules: MotorRules
     load: Load
     environment: Environment
     motor: InductionMotor | None
@@ -51,7 +51,7 @@ class LineFed:
     """With brake where there is one [kg m2]"""
 
     @classmethod
-    def of(cls, rules: LineFedRules, given: Given, sheet: Sheet) -> "LineFed":
+    def of(cls, rules: MotorRules, given: Given, sheet: Sheet) -> "LineFed":
         """Join what was chosen, and put on the sheet what had to be assumed for it."""
         motor, gear, brake = given.product("motor"), given.product("gear_unit"), given.product("brake")
         if gear is None:
@@ -191,8 +191,13 @@ class LineFed:
                     "brake: data sheet", formula="torque_before_ratio")  # fmt: skip
 
 
-def motor_data(line: LineFed, winding: Winding, sheet: Sheet, name: str = "") -> MotorData | None:
-    """Torques and speeds of one winding; None where the source gives no rated speed, with a check that says so."""
+def motor_data(
+    line: LineFed, winding: Winding, sheet: Sheet, name: str = "", *, starts: bool = True
+) -> MotorData | None:
+    """Torques and speeds of one winding; None where the source gives no rated speed, with a check that says so.
+
+    ``starts``: whether the motor starts by itself, so that its run-up torque is needed.
+    """
     if winding.rated_speed is None:
         sheet.check("static_power", CHECK_NAMES["static_power"], None, None, "kW", "motor: data sheet",
                     missing="rated speed of the motor")  # fmt: skip
@@ -203,7 +208,7 @@ def motor_data(line: LineFed, winding: Winding, sheet: Sheet, name: str = "") ->
         M_H = winding.run_up_torque
         if M_H is None and winding.run_up_torque_ratio is not None:
             M_H = sheet(run.run_up_torque, key=f"run_up_torque{name}", r_H=winding.run_up_torque_ratio, M_N=M_N)
-        if M_H is None:
+        if M_H is None and starts:
             sheet.check(f"run_up_torque{name}", CHECK_NAMES["run_up_torque"], None, None, "N m", "motor: data sheet",
                         missing="mean run-up torque of the motor")  # fmt: skip
         if line.motor_inertia is None:
@@ -212,7 +217,7 @@ def motor_data(line: LineFed, winding: Winding, sheet: Sheet, name: str = "") ->
     return MotorData(winding, winding.rated_speed, sync, M_N, M_H)
 
 
-def _gear_efficiency(rules: LineFedRules, gear: GearUnit | None, sheet: Sheet) -> float:
+def _gear_efficiency(rules: MotorRules, gear: GearUnit | None, sheet: Sheet) -> float:
     if gear is None:
         return 1.0
     found = gear.efficiency if gear.efficiency is not None else rules.gear_efficiency
@@ -237,7 +242,7 @@ def _inertia(motor: InductionMotor, brake: MotorBrake | None, sheet: Sheet) -> f
     return motor.rotor_inertia
 
 
-def _brake(rules: LineFedRules, brake: MotorBrake | None, sheet: Sheet) -> Brake | None:
+def _brake(rules: MotorRules, brake: MotorBrake | None, sheet: Sheet) -> Brake | None:
     if brake is None:
         sheet.decide("No stop is calculated", "no brake is given")
         return None

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from app.engine.drives.line_fed import LineFed, MotorData
-from app.engine.drives.mains_rules import CHECK_NAMES
+from app.engine.drives.mains_rules import CHECK_NAMES, LineFedRules
 from app.engine.drives.mains_shaft import MotorSide
 from app.engine.errors import EngineError
 from app.engine.formulas import induction as run
@@ -16,13 +16,14 @@ KEY = "starting_frequency"
 def starting_factor(line: LineFed, side: MotorSide, sheet: Sheet) -> float | None:
     """K_P of one state: the user's own, else read from the tabulated chart. Raises EngineError for an unknown state."""
     known = {state.key for state in line.load.states}
-    for index, row in enumerate(line.rules.starting_factors):
+    rows = line.rules.starting_factors if isinstance(line.rules, LineFedRules) else ()
+    for index, row in enumerate(rows):
         if row.state not in known:
             names = ", ".join(sorted(known))
             raise EngineError(
                 f"is no state of this load; there are {names}", field=("starting_factors", index, "state")
             )
-    given = next((row.factor for row in line.rules.starting_factors if row.state == side.state.key), None)
+    given = next((row.factor for row in rows if row.state == side.state.key), None)
     share = sheet.value(f"{side.state.key}_relative_static_power")
     text = f"factor of static power and duty on the starting frequency: {side.state.label}"
     return sheet.look_up("starting_frequency_k_p", text, symbol="K_P", x=share, family=line.duty, given=given)

@@ -20,18 +20,14 @@ class StartingFactor(Declared):
     factor: Annotated[float, Quantity("1", symbol="K_P", gt=0, le=2, about="factor K_P")]
 
 
-class LineFedRules(GearService):
-    """Rules of motors that run on the mains."""
+class MotorRules(GearService):
+    """Rules of induction motors with gear unit and brake, on the mains or on an inverter."""
 
     flywheel_inertia: Annotated[
         float,
         Quantity("kg m2", symbol="J_Z", ge=0, le=1e4, default=0.0, source="none", group=_START,
                  about="additional inertia on the motor shaft: flywheel or heavy fan"),
     ]  # fmt: skip
-    starting_factors: Annotated[
-        tuple[StartingFactor, ...],
-        Option(default=(), about="factors K_P of the maker, instead of the tabulated ones", group=_START),
-    ]
     duty: Annotated[
         float | None,
         Quantity("%", symbol="ED", gt=0, le=1, default=None, group=_START,
@@ -72,6 +68,15 @@ class LineFedRules(GearService):
         Quantity("1", symbol="k_B", ge=1, le=10, default=2.0, source="SEW 2001, 9.1: hoists take about twice",
                  about="brake torque over the torque that holds the load", group=_BRAKE),
     ]  # fmt: skip
+
+
+class LineFedRules(MotorRules):
+    """Rules of motors that run on the mains."""
+
+    starting_factors: Annotated[
+        tuple[StartingFactor, ...],
+        Option(default=(), about="factors K_P of the maker, instead of the tabulated ones", group=_START),
+    ]
 
 
 CHECK_NAMES = {

@@ -166,3 +166,15 @@ def brake_life_in_days(L_B: Second, t_d: Second) -> One:
     325.0
     """
     return L_B / t_d
+
+
+@formula(symbol="z_B", unit="1", source="SEW 2001, 9.2: braking strokes in the time that a rating refers to")
+def brakings_in_time(z_c: One, t: Second, t_cyc: Second) -> One:
+    """How often is braked in a time.
+
+    ``z_c`` brakings in a cycle, ``t`` time, ``t_cyc`` length of a cycle.
+
+    >>> brakings_in_time(2.0, 120.0, 30.0)
+    8.0
+    """
+    return z_c * t / t_cyc

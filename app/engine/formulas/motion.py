@@ -331,3 +331,75 @@ def sum_of_times(t_k: Second) -> Second:
     3.0
     """
     return total(t_k)
+
+
+@formula(symbol="v_P", unit="m/s", source="SEW 2001, 8.4: positioning at creep speed")
+def creep_speed(v: MetrePerSecond, r_P: One) -> MetrePerSecond:
+    """Creep speed, from which a brake stops the axis.
+
+    ``v`` peak speed, ``r_P`` creep speed over peak speed.
+
+    >>> round(creep_speed(0.77, 0.1), 6)
+    0.077
+    """
+    return v * r_P
+
+
+@formula(symbol="t_U", unit="s", source="SEW 2001, 8.4: time of slowing down to creep speed")
+def slowing_time(v: MetrePerSecond, v_P: MetrePerSecond, a: MetrePerSecond2) -> Second:
+    """Time from peak to creep speed.
+
+    ``v`` peak speed, ``v_P`` creep speed, ``a`` deceleration.
+
+    >>> slowing_time(1.0, 0.5, 0.25)
+    2.0
+    """
+    return (v - v_P) / a
+
+
+@formula(symbol="s_U", unit="m", source="SEW 2001, 8.4: distance of slowing down to creep speed")
+def slowing_distance(v: MetrePerSecond, v_P: MetrePerSecond, t_U: Second) -> Metre:
+    """Distance from peak to creep speed.
+
+    ``v`` peak speed, ``v_P`` creep speed, ``t_U`` time of slowing down.
+
+    >>> slowing_distance(1.0, 0.5, 2.0)
+    1.5
+    """
+    return (v + v_P) / 2 * t_U
+
+
+@formula(symbol="s", unit="m", source="derived: speed times time")
+def distance_at_speed(v: MetrePerSecond, t: Second) -> Metre:
+    """Distance at constant speed.
+
+    ``v`` speed, ``t`` time.
+
+    >>> distance_at_speed(0.5, 4.0)
+    2.0
+    """
+    return v * t
+
+
+@formula(symbol="s_F", unit="m", source="derived: what the other phases leave")
+def distance_left(s: Metre, s_k: Metre) -> Metre:
+    """Distance that remains at constant speed.
+
+    ``s`` whole distance, ``s_k`` distances of the other phases.
+
+    >>> distance_left(10.0, [1.0, 2.0])
+    7.0
+    """
+    return s - total(s_k)
+
+
+@formula(symbol="t_F", unit="s", source="derived: distance over speed")
+def time_for_distance(s: Metre, v: MetrePerSecond) -> Second:
+    """Time at constant speed.
+
+    ``s`` distance, ``v`` speed.
+
+    >>> time_for_distance(2.0, 0.5)
+    4.0
+    """
+    return s / v

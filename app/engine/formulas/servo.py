@@ -63,6 +63,18 @@ def shaft_power(M: NewtonMetre, omega: RadPerSecond) -> Watt:
     return abs(M * omega)
 
 
+@formula(symbol="P", unit="W", source="derived: torque times speed, with their signs")
+def signed_power(M: NewtonMetre, omega: RadPerSecond) -> Watt:
+    """Power of a shaft: positive where the motor drives, negative where power is returned.
+
+    ``M`` torque and ``omega`` speed, signed in the same direction.
+
+    >>> signed_power(-2.0, 100.0)
+    -200.0
+    """
+    return M * omega
+
+
 @formula(symbol="M_S1", unit="N m", source="derived: straight S1 line, constant power above rated speed")
 def continuous_torque(M_0: NewtonMetre, M_N: NewtonMetre, n_N: RadPerSecond, n: RadPerSecond) -> NewtonMetre:
     """Continuous (S1) torque of a servo motor at a speed, from stall and rated point.

@@ -2,12 +2,14 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import StringConstraints
 
+from app.engine.formulas import motion as formulas
 from app.engine.motion.segments import Burden, Hold
-from app.engine.motion.shape import MoveShape, Smoothing
+from app.engine.motion.shape import MoveShape, Ramp, Smoothing
 from app.engine.motion.solve import OPTIMISE_LABELS, Given, Notes, Optimise, solve_move
 from app.engine.quantity import Declaration, Declared, Option, Quantity
 from app.engine.sheet import Sheet
@@ -65,6 +67,15 @@ class Move(Declared):
         Quantity("s", symbol="t_set", ge=0, le=1e5, about="Settling after the move, held by the motor", group="Move",
                  **_OPTIONAL),
     ]  # fmt: skip
+    creep_share: Annotated[
+        float | None,
+        Quantity("1", symbol="r_P", gt=0, lt=1, about="Creep speed / peak speed, before a brake stops the axis",
+                 group="Move", **_OPTIONAL),
+    ]  # fmt: skip
+    creep_time: Annotated[
+        float | None,
+        Quantity("s", symbol="t_P", gt=0, le=1e4, about="Time at creep speed", group="Move", **_OPTIONAL),
+    ]
     process_during: Annotated[
         Literal["motion", "constant_speed", "motion_and_standstill"],
         Option(
@@ -114,21 +125,44 @@ class Move(Declared):
     def solve(self, sheet: Sheet, prefix: str = "move_1_") -> MoveShape:
         """Shape of the move; MotionError at the field where it cannot be."""
         notes = self.notes(sheet, prefix)
-        return solve_move(self._given(notes), notes)
+        shape = solve_move(self._given(notes), notes)
+        return self._with_creep(shape, notes) if self.creep_share is not None else shape
+
+    def _with_creep(self, shape: MoveShape, notes: Notes) -> MoveShape:
+        """The same move that slows down to creep speed only, from which a brake stops it; less time at full speed."""
+        assert self.creep_share is not None
+        if self.creep_time is None:
+            notes.refuse("creep_time", "is needed beside a creep speed")
+        if self.profile != "trapezoid":
+            notes.refuse("creep_share", "is for trapezoids only")
+        v, a, t_P = shape.speed, shape.down.acceleration, self.creep_time
+        v_P = notes(formulas.creep_speed, "creep_speed", v=v, r_P=self.creep_share)
+        t_U = notes(formulas.slowing_time, "slowing_time", v=v, v_P=v_P, a=a)
+        s_A = notes(formulas.ramp_distance, "run_up_distance", v=v, t_A=shape.up.time)
+        s_U = notes(formulas.slowing_distance, "slowing_distance", v=v, v_P=v_P, t_U=t_U)
+        s_P = notes(formulas.distance_at_speed, "creep_distance", v=v_P, t=t_P)
+        s_F = notes(formulas.distance_left, "constant_distance", s=shape.distance, s_k=[s_A, s_U, s_P])
+        if s_F < 0:
+            notes.refuse("creep_time", "accelerating, slowing down and creeping take more than the whole distance")
+        t_F = notes(formulas.time_for_distance, "constant_speed_time_with_creep", s=s_F, v=v)
+        notes(formulas.sum_of_times, "time_with_creep", t_k=[shape.up.time, t_F, t_U, t_P])
+        return replace(shape, down=Ramp(t_U, a), constant_time=t_F, creep_speed=v_P, creep_time=t_P)
 
     def _given(self, notes: Notes) -> Given:
         settling = self.settling_time or 0.0
         if self.distance == 0:
             notes.refuse("distance", "a move of no distance is a dwell: give a distance, or a dwell to another move")
-        if self.time is not None and self.time <= settling:
+        if self.time is not None and self.time <= settling + (self.creep_time or 0.0):
             notes.refuse(
                 "settling_time", f"settling of {settling:.6g} s leaves nothing of the {self.time:.6g} s for motion"
             )
+        if self.creep_time is not None and self.creep_share is None:
+            notes.refuse("creep_share", "is needed beside a creep time")
         if self.deceleration is not None and self.deceleration_ratio is not None:
             notes.refuse("deceleration_ratio", "give either a deceleration or its ratio to the acceleration")
         return Given(
             distance=None if self.distance is None else abs(self.distance),
-            time=None if self.time is None else self.time - settling,
+            time=None if self.time is None else self.time - settling - (self.creep_time or 0.0),
             speed=self.speed, acceleration=self.acceleration, deceleration=self.deceleration,
             ratio=self.deceleration_ratio, smoothing=self._smoothing(notes), settling=settling, optimise=self.optimise,
         )  # fmt: skip

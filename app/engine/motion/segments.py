@@ -89,7 +89,9 @@ class Segments:
         speed = direction * shape.speed
         constant = burden.force("constant")
         self.add(shape.constant_time, speed, speed, burden, constant, direction, f"{name}: constant speed")
-        self.ramp(shape.down, shape.speed, 0.0, direction, burden, f"{name}: decelerating")
+        self.ramp(shape.down, shape.speed, shape.creep_speed, direction, burden, f"{name}: decelerating")
+        creeping = direction * shape.creep_speed
+        self.add(shape.creep_time, creeping, creeping, burden, constant, direction, f"{name}: creeping")
         self.add(shape.settling, 0.0, 0.0, burden, burden.force("standstill"), direction, f"{name}: settling")
 
     def ramp(self, ramp: Ramp, start: float, end: float, direction: float, burden: Burden, label: str) -> None:

@@ -33,11 +33,15 @@ class MoveShape:
     down: Ramp
     constant_time: float
     settling: float = 0.0
+    creep_speed: float = 0.0
+    """Speed to which ``down`` leads, 0 for a standstill."""
+    creep_time: float = 0.0
+    """Time at creep speed, after which a brake stops the axis."""
 
     @property
     def motion_time(self) -> float:
         """Time in which the axis moves."""
-        return self.up.time + self.constant_time + self.down.time
+        return self.up.time + self.constant_time + self.down.time + self.creep_time
 
     @property
     def time(self) -> float:

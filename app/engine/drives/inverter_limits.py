@@ -1,0 +1,256 @@
+"""What an induction motor may give on an inverter, and every check of it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from app.engine.cycle import FloatArray, LoadCycle
+from app.engine.drives.base import Points
+from app.engine.drives.line_fed import LineFed, MotorData
+from app.engine.drives.shaft import MotorShaft
+from app.engine.formulas import inverter_fed as formulas
+from app.engine.formulas.servo import motor_current, shaft_power, signed_power, torque_constant
+from app.engine.products import Inverter
+from app.engine.resistor import PowerSegment
+from app.engine.sheet import Sheet
+
+if TYPE_CHECKING:
+    from app.engine.drives.inverter_fed import InverterFedDrive
+
+HOIST_FREQUENCY = 70.0
+HOIST_SOURCE = "SEW 2001, 9.2: hoists reach their speed at 70 Hz"
+OVERLOAD = 1.5
+SELF_COOLED_RANGE = 5.0
+COOLING_SOURCE = "SEW 2001, 3.4: own fan up to 1:5 at the next smaller rating, forced fan from there on"
+MAX_POWERS = 24
+
+
+@dataclass(frozen=True)
+class InverterLimits:
+    """Torque of one motor over its speed."""
+
+    rated_torque: float
+    rated_speed: float
+    """At the knee [rad/s]"""
+    peak: float
+    """Torque limit over rated torque."""
+    breakdown: float | None
+    """Breakdown torque at the knee divided by the reserve that must remain [N m]"""
+    max_speed: float | None
+
+    def continuous(self, speed: FloatArray) -> FloatArray:
+        """Rated torque at a speed: constant, above the knee with 1/f."""
+        found: FloatArray = self.rated_torque * np.minimum(1.0, self.rated_speed / np.maximum(np.abs(speed), 1e-9))
+        return found
+
+    def largest(self, speed: FloatArray) -> FloatArray:
+        """Torque limit at a speed, above the knee no more than the breakdown torque leaves."""
+        found = self.peak * self.continuous(speed)
+        if self.breakdown is not None:
+            weak = np.maximum(np.abs(speed) / self.rated_speed, 1.0)
+            found = np.where(weak > 1.0, np.minimum(found, self.breakdown / weak**2), found)
+        return np.asarray(found, dtype=float)
+
+    def peak_points(self) -> Points:
+        """Torque limit for the chart."""
+        speeds = self._speeds()
+        return tuple(zip(speeds.tolist(), self.largest(speeds).tolist(), strict=True))
+
+    def continuous_points(self) -> Points:
+        """Rated torque for the chart."""
+        speeds = self._speeds()
+        return tuple(zip(speeds.tolist(), self.continuous(speeds).tolist(), strict=True))
+
+    def _speeds(self) -> FloatArray:
+        top = max(self.max_speed or 0.0, 1.5 * self.rated_speed)
+        return np.concatenate(([0.0], np.linspace(self.rated_speed, top, 24)))
+
+
+@dataclass(frozen=True, kw_only=True)
+class InverterCase:
+    """One inverter-fed drive on one load."""
+
+    rules: "InverterFedDrive"
+    line: LineFed
+    shaft: MotorShaft
+    data: MotorData | None
+    inverter: Inverter | None
+
+    @property
+    def knee(self) -> float:
+        """Frequency up to which the flux stays constant [Hz]."""
+        assert self.data is not None
+        return self.rules.knee_frequency or self.data.winding.frequency
+
+    @property
+    def knee_speed(self) -> float:
+        """Speed of the motor at the knee: the rated slip stays [rad/s]."""
+        assert self.data is not None
+        slip = self.data.synchronous_speed - self.data.rated_speed
+        return self.data.synchronous_speed * self.knee / self.data.winding.frequency - slip
+
+    @cached_property
+    def limits(self) -> InverterLimits | None:
+        """Torque over speed; None without a motor."""
+        if self.data is None:
+            return None
+        ratio = self.data.winding.breakdown_torque_ratio
+        return InverterLimits(
+            rated_torque=self.data.rated_torque, rated_speed=self.knee_speed, peak=self.rules.torque_limit,
+            breakdown=None if ratio is None else ratio * self.data.rated_torque / self.rules.breakdown_reserve,
+            max_speed=self.shaft.max_speed,
+        )  # fmt: skip
+
+
+def power_segments(shaft: MotorShaft, cycle: LoadCycle) -> list[PowerSegment]:
+    """Power of the motor shaft in every segment; a closed brake takes and gives none."""
+    ratio, torque = shaft.transmission.ratio, shaft.torque(cycle)
+    start, end = torque * cycle.speed_start * ratio, torque * cycle.speed_end * ratio
+    return [
+        PowerSegment(cycle.label[k], float(cycle.duration[k]), float(start[k]), float(end[k]),
+                     bool(abs(cycle.speed_end[k]) < abs(cycle.speed_start[k])))
+        for k in range(len(cycle.duration)) if not cycle.braked[k]
+    ]  # fmt: skip
+
+
+def record_powers(shaft: MotorShaft, cycle: LoadCycle, sheet: Sheet) -> None:
+    """Write the power of every moving segment at its faster end, signed: negative where it is returned."""
+    ratio, torque = shaft.transmission.ratio, shaft.torque(cycle)
+    moving = [k for k in range(len(cycle.duration)) if cycle.mean_speed[k] != 0 and not cycle.braked[k]]
+    for number, k in enumerate(moving[:MAX_POWERS], start=1):
+        fast = max(float(cycle.speed_start[k]), float(cycle.speed_end[k]), key=abs)
+        sheet(signed_power, key=f"segment_{number}_power", label=f"Power of the motor: {cycle.label[k]}",
+              M=float(torque[k]), omega=fast * ratio)  # fmt: skip
+    if len(moving) > MAX_POWERS:
+        sheet.decide(f"The powers of {MAX_POWERS} of {len(moving)} segments are written out", "all are counted")
+
+
+def check_torque(case: InverterCase, sheet: Sheet) -> None:
+    """Peak torque against the torque limit at every speed, effective torque against rated torque at mean speed."""
+    assert case.limits is not None
+    assert case.data is not None
+    with sheet.section("Motor"):
+        sheet(formulas.torque_ratio, M=case.shaft.peak_torque, M_N=case.data.rated_torque)
+        worst, demanded, permitted = 0.0, case.shaft.peak_torque, case.rules.torque_limit * case.data.rated_torque
+        for cycle in case.shaft.cycles:
+            torque = np.abs(case.shaft.torque(cycle))
+            for speeds in (cycle.speed_start, cycle.speed_end):
+                allowed = case.limits.largest(speeds * case.shaft.transmission.ratio)
+                k = int(np.argmax(torque / allowed))
+                if torque[k] / allowed[k] > worst:
+                    worst, demanded, permitted = float(torque[k] / allowed[k]), float(torque[k]), float(allowed[k])
+        sheet.check("torque_limit", "Torque of the motor on the inverter", demanded, permitted, "N m",
+                    "SEW 2001, 3.4 and 8.4: torque limit, breakdown reserve in field weakening")  # fmt: skip
+        effective, mean = case.shaft.effective_torque, np.array(case.shaft.mean_speed)
+        sheet.check("effective_torque", "Effective torque at mean speed", effective,
+                    float(case.limits.continuous(mean)), "N m", "motor: rated torque, above the knee with 1/f",
+                    formula="effective_torque")  # fmt: skip
+        _check_cooling(case, sheet)
+
+
+def _check_cooling(case: InverterCase, sheet: Sheet) -> None:
+    """What a motor with own fan may give over its speed range."""
+    cycle = case.shaft.load.cycle
+    steady = np.abs(cycle.mean_speed[(np.abs(cycle.acceleration) < 1e-9) & (cycle.mean_speed != 0)])
+    if steady.size == 0 or steady.max() <= 1.0001 * steady.min():
+        return
+    ratio = case.shaft.transmission.ratio
+    R = sheet(formulas.speed_range, n_2=float(steady.max()) * ratio, n_1=float(steady.min()) * ratio)
+    if case.rules.cooling == "forced":
+        sheet.decide("The motor may give its rating over the whole speed range", "it has a forced fan")
+        return
+    sheet.check("speed_range", "Speed range with own fan", R, SELF_COOLED_RANGE, "1", COOLING_SOURCE,
+                formula="speed_range")  # fmt: skip
+    power = sheet(shaft_power, key="effective_power", label="Effective torque at the highest steady speed", unit="kW",
+                  M=case.shaft.effective_torque, omega=float(steady.max()) * ratio)  # fmt: skip
+    limit = case.rules.reduced_power
+    sheet.check("reduced_power", "Power with own fan over the speed range", power, limit, "kW", COOLING_SOURCE,
+                formula="shaft_power",
+                missing="" if limit is not None else "rating of the next smaller motor")  # fmt: skip
+
+
+def check_frequency(case: InverterCase, sheet: Sheet) -> None:
+    """Highest frequency, and torque that is left in field weakening."""
+    data, rules = case.data, case.rules
+    assert data is not None
+    with sheet.section("Frequency"):
+        torque = sheet.value("steady_load_torque_on_motor") if sheet.has("steady_load_torque_on_motor") else 0.0
+        highest = sheet(formulas.frequency_at_speed, key="highest_frequency", label="Frequency at the highest speed",
+                        omega=case.shaft.max_speed, z_p=data.winding.poles, n_S=data.synchronous_speed,
+                        n_N=data.rated_speed, r_M=abs(torque) / data.rated_torque)  # fmt: skip
+        limit = rules.max_frequency
+        source = "own limit"
+        if limit is None and case.line.hangs:
+            limit, source = HOIST_FREQUENCY, HOIST_SOURCE
+            sheet.assume("drive.max_frequency", "highest frequency of a hoist", value=limit, unit="Hz",
+                         symbol="f_max", source=source)  # fmt: skip
+        if limit is not None:
+            sheet.check("highest_frequency", "Highest frequency", highest, limit, "Hz", source,
+                        formula="frequency_at_speed")  # fmt: skip
+        if case.shaft.max_speed > case.knee_speed * (1 + 1e-9):
+            _record_weakening(case, highest, sheet)
+
+
+def _record_weakening(case: InverterCase, highest: float, sheet: Sheet) -> None:
+    """What is left of rated and breakdown torque at the highest frequency."""
+    data = case.data
+    assert data is not None
+    sheet.decide("The motor runs in field weakening", "its highest speed is above that of the base frequency")
+    synchronous = case.shaft.max_speed / data.synchronous_speed * data.winding.frequency
+    f_2 = max(case.knee, min(highest, synchronous) if case.rules.knee_frequency is None else highest)
+    sheet(formulas.weakened_rated_torque, M_N=data.rated_torque, f_1=case.knee, f_2=f_2)
+    ratio = data.winding.breakdown_torque_ratio
+    if ratio is None:
+        sheet.check("breakdown_reserve", "Reserve of the breakdown torque", case.rules.breakdown_reserve, None, "1",
+                    "SEW 2001, 3.4", missing="breakdown torque of the motor")  # fmt: skip
+        return
+    M_K = sheet(formulas.weakened_breakdown_torque, M_K=ratio * data.rated_torque, f_1=case.knee, f_2=f_2)
+    torque = _largest_torque_above(case)
+    if torque > 0:
+        found = sheet(formulas.breakdown_reserve, M_K=M_K, M=torque)
+        sheet.check("breakdown_reserve", "Reserve of the breakdown torque", case.rules.breakdown_reserve, found, "1",
+                    "SEW 2001, 3.4", formula="breakdown_reserve")  # fmt: skip
+
+
+def _largest_torque_above(case: InverterCase) -> float:
+    """Largest unsigned torque while the motor is faster than the knee [N m]."""
+    found = 0.0
+    for cycle in case.shaft.cycles:
+        top = np.maximum(np.abs(cycle.speed_start), np.abs(cycle.speed_end)) * case.shaft.transmission.ratio
+        torque = np.abs(case.shaft.torque(cycle))[top > case.knee_speed]
+        found = max(found, float(torque.max(initial=0.0)))
+    return found
+
+
+def check_currents(case: InverterCase, sheet: Sheet) -> None:
+    """Currents of all motors on the inverter, and its power."""
+    if case.inverter is None:
+        return
+    data, inverter, number = case.data, case.inverter, case.rules.motors_per_inverter
+    assert data is not None
+    source = "inverter: data sheet"
+    with sheet.section("Inverter"):
+        I_N = data.winding.rated_current
+        if inverter.motor_power is not None:
+            sheet.check("inverter_power", "Inverter: power of the motors", number * data.winding.rated_power,
+                        inverter.motor_power, "kW", source)  # fmt: skip
+        total = None if I_N is None else sheet(formulas.group_current, n_M=number, I_N=I_N)
+        missing = "" if I_N is not None else "rated current of the motor"
+        if inverter.rated_current is None:
+            missing = ", ".join(filter(None, (missing, "rated current of the inverter")))
+        sheet.check("inverter_current", "Inverter: rated current of the motors", total, inverter.rated_current, "A",
+                    source, formula="group_current", missing=missing)  # fmt: skip
+        if I_N is None or inverter.rated_current is None:
+            return
+        peak = inverter.overload_current
+        if peak is None:
+            peak = OVERLOAD * inverter.rated_current
+            sheet.assume("drive.inverter.overload_current", "overload current of the inverter", value=peak, unit="A",
+                         symbol="I_max", source="SEW 2001, 8.4: 150 %")  # fmt: skip
+        k_T = sheet(torque_constant, M=data.rated_torque, I=I_N)
+        current = sheet(motor_current, key="peak_current", symbol="I_peak", label="Current of one motor at peak torque",
+                        M=case.shaft.peak_torque, k_T=k_T)  # fmt: skip
+        sheet.check("inverter_peak_current", "Inverter: peak current", number * current, peak, "A", source,
+                    formula="motor_current")  # fmt: skip
