@@ -1,7 +1,7 @@
 """Industrial gear units: output speed and torque, service factor, overhung load, backlash on the machine."""
 
 from app.engine.formula import formula
-from app.engine.units import KilogramMetre2, Metre, MetrePerRad, Newton, NewtonMetre, One, Rad, RadPerSecond
+from app.engine.units import KilogramMetre2, Metre, MetrePerRad, Newton, NewtonMetre, One, Rad, RadPerSecond, Watt
 
 
 @formula(symbol="n_a", unit="rpm", source="SEW 2001, 6.1: output speed of the chosen ratio")
@@ -26,6 +26,54 @@ def output_torque(M_N: NewtonMetre, i: One) -> NewtonMetre:
     90.0
     """
     return M_N * i
+
+
+@formula(symbol="M_a", unit="N m", source="SEW 2001, 6.1: output torque of a geared motor")
+def output_torque_of_power(P_N: Watt, eta_G: One, n_a: RadPerSecond) -> NewtonMetre:
+    """Torque at the output of a geared motor, losses included.
+
+    ``P_N`` rated power of the motor, ``eta_G`` efficiency of the gear unit, ``n_a`` speed of its output.
+
+    >>> output_torque_of_power(550.0, 0.8, 5.0)
+    88.0
+    """
+    return P_N * eta_G / n_a
+
+
+@formula(symbol="eta_G", unit="1", source="SEW 2001, 6.1: each stage loses 2 to 3 %")
+def efficiency_of_stages(eta: One, n_st: One) -> One:
+    """Efficiency of a gear unit of several equal stages.
+
+    ``eta`` efficiency of one stage, ``n_st`` number of stages.
+
+    >>> round(efficiency_of_stages(0.98, 3), 6)
+    0.941192
+    """
+    return eta**n_st
+
+
+@formula(symbol="M_1", unit="N m", source="SEW 2001, 6.1: worm gear units lose more at standstill and when new")
+def break_away_torque(T: NewtonMetre, i: One, eta_A: One) -> NewtonMetre:
+    """Torque of the motor that sets a load in motion through a gear unit which is less efficient at standstill.
+
+    ``T`` torque at the output, ``i`` ratio, ``eta_A`` efficiency of the gear unit at the start.
+
+    >>> break_away_torque(120.0, 40.0, 0.5)
+    6.0
+    """
+    return T / (i * eta_A)
+
+
+@formula(symbol="dn", unit="%", source="derived: speed of the chosen ratio against the demanded one")
+def speed_deviation(n_a: RadPerSecond, omega: RadPerSecond) -> One:
+    """How far the output turns faster than demanded, as a share.
+
+    ``n_a`` speed that the chosen ratio gives, ``omega`` speed demanded.
+
+    >>> speed_deviation(5.5, 5.0)
+    0.1
+    """
+    return (n_a - omega) / omega
 
 
 @formula(symbol="f_a", unit="1", source="SEW 2001, 6.2: factor of inertia")
@@ -64,6 +112,18 @@ def actual_service_factor(M_amax: NewtonMetre, M_a: NewtonMetre) -> One:
     1.485
     """
     return M_amax / M_a
+
+
+@formula(symbol="F_t", unit="N", source="SEW 2001, 6.4: force at the circumference")
+def tangential_force(M: NewtonMetre, r: Metre) -> Newton:
+    """Force at the circumference of an element on a shaft.
+
+    ``M`` torque of the shaft, ``r`` radius of the element.
+
+    >>> tangential_force(50.0, 0.125)
+    400.0
+    """
+    return M / r
 
 
 @formula(symbol="F_Q", unit="N", source="SEW 2001, 6.3: overhung load")
