@@ -198,8 +198,7 @@ def _record_weakening(case: InverterCase, highest: float, sheet: Sheet) -> None:
     data = case.data
     assert data is not None
     sheet.decide("The motor runs in field weakening", "its highest speed is above that of the base frequency")
-    synchronous = case.shaft.max_speed / data.synchronous_speed * data.winding.frequency
-    f_2 = max(case.knee, min(highest, synchronous) if case.rules.knee_frequency is None else highest)
+    f_2 = max(case.knee, highest, case.rules.max_frequency or 0.0)
     sheet(formulas.weakened_rated_torque, M_N=data.rated_torque, f_1=case.knee, f_2=f_2)
     ratio = data.winding.breakdown_torque_ratio
     if ratio is None:
@@ -219,7 +218,7 @@ def _largest_torque_above(case: InverterCase) -> float:
     found = 0.0
     for cycle in case.shaft.cycles:
         top = np.maximum(np.abs(cycle.speed_start), np.abs(cycle.speed_end)) * case.shaft.transmission.ratio
-        torque = np.abs(case.shaft.torque(cycle))[top > case.knee_speed]
+        torque = np.abs(case.shaft.torque(cycle))[top > case.knee_speed * (1 + 1e-6)]
         found = max(found, float(torque.max(initial=0.0)))
     return found
 
