@@ -38,7 +38,12 @@ class GearService(Declared):
     load_changes_per_hour: Annotated[
         float | None,
         Quantity("1", symbol="Z_L", gt=0, le=1e5, default=None, group=_GROUP,
-                 about="starts, brakings and speed changes per hour; empty: two per start of the motion"),
+                 about="starts, brakings and speed changes per hour; empty: from the starts of the motion"),
+    ]  # fmt: skip
+    load_changes_per_start: Annotated[
+        float,
+        Quantity("1", symbol="n_L", ge=1, le=20, default=2.0, source="a start and a braking", group=_GROUP,
+                 about="load changes of each start; 3 with a change to creep speed"),
     ]  # fmt: skip
     service_factor: Annotated[
         float | None,
@@ -120,12 +125,15 @@ def record_gear_service(case: GearCase, sheet: Sheet) -> None:
         _check_backlash(case, sheet)
 
 
-def load_changes(case: GearCase) -> float:
+def load_changes(case: GearCase, sheet: Sheet) -> float:
     """Starts, brakings and speed changes per hour."""
     if case.service.load_changes_per_hour is not None:
         return case.service.load_changes_per_hour
-    starts = sum(state.starts for state in case.load.states)
-    return 2 * starts * HOUR / case.load.cycle.cycle_time
+    starts, time = sum(state.starts for state in case.load.states), case.load.cycle.cycle_time
+    if starts == 0:
+        return 0.0
+    sheet(formulas.starting_rate, z_c=starts, t_cyc=time)
+    return sheet(formulas.load_changes, n_L=case.service.load_changes_per_start, z_c=starts, t_cyc=time) * HOUR
 
 
 def _check_input_speed(case: GearCase, sheet: Sheet) -> None:
@@ -139,6 +147,8 @@ def _check_service_factor(case: GearCase, torque: float, sheet: Sheet) -> None:
     actual: float | None = case.gear.service_factor if case.gear.max_output_torque is None else None
     if case.gear.max_output_torque is not None:
         actual = sheet(formulas.actual_service_factor, M_amax=case.gear.max_output_torque, M_a=torque)
+    if demanded is not None:
+        sheet(formulas.required_gear_torque, M_a=torque, f_B=demanded)
     if actual is None:
         lacking = ", ".join(filter(None, [lacking, "permitted output torque of the gear unit"]))
     sheet.check("service_factor", CHECK_NAMES["service_factor"], demanded, actual, "1", SOURCE,
@@ -147,7 +157,7 @@ def _check_service_factor(case: GearCase, torque: float, sheet: Sheet) -> None:
 
 def _demanded_factor(case: GearCase, sheet: Sheet) -> tuple[float | None, str]:
     """Service factor that the load demands, None with what lacks."""
-    service, changes = case.service, load_changes(case)
+    service, changes = case.service, load_changes(case, sheet)
     if case.external_inertia is None or not case.motor_inertia:
         if service.service_factor is None:
             return None, "inertia of motor and load"

@@ -27,6 +27,7 @@ from app.engine.drives.parts import (
     MotorBrakeChoice,
 )
 from app.engine.drives.shaft import MotorShaft, record_inertias, record_speeds, record_torques
+from app.engine.formulas.conversion import speed_before_ratio
 from app.engine.gear import Transmission
 from app.engine.quantity import Option, Quantity
 from app.engine.resistor import check_resistor, record_braking
@@ -139,6 +140,11 @@ class InverterFedDrive(MotorRules, DriveModel):
         if line.brake is None:
             return
         creep = _creep_speed(shaft, cycle)
+        if creep:
+            with sheet.section("Creep speed"):
+                ratio = shaft.transmission.ratio
+                sheet(speed_before_ratio, key="creep_motor_speed", label="Creep speed of the motor",
+                      omega=creep / ratio, i=ratio)  # fmt: skip
         stops: dict[str, Stop] = {}
         for side in line.sides() if creep else ():
             with sheet.section(f"Braking from creep speed: {side.state.label}"):

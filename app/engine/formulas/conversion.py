@@ -8,12 +8,14 @@ from app.engine.formula import formula, total
 from app.engine.units import (
     Kilogram,
     KilogramMetre2,
+    Metre,
     MetrePerRad,
     MetrePerSecond,
     MetrePerSecond2,
     Newton,
     NewtonMetre,
     One,
+    Rad,
     RadPerSecond,
     RadPerSecond2,
     Watt,
@@ -150,3 +152,27 @@ def travel_before_ratio(A: MetrePerRad, i: One) -> MetrePerRad:
     0.00125
     """
     return A / i
+
+
+@formula(symbol="s", unit="mm", source="derived: travel per radian times angle")
+def linear_way(phi: Rad, A: MetrePerRad) -> Metre:
+    """Way of a load from the angle of a shaft.
+
+    ``phi`` angle of the shaft, ``A`` travel of the load per radian of that shaft.
+
+    >>> linear_way(2.0, 0.5)
+    1.0
+    """
+    return phi * A
+
+
+@formula(symbol="P_D", unit="W", source="SEW 2001, 12.1: power with the losses of everything between motor and load")
+def dynamic_power_of_torque(P: Watt, eta: One) -> Watt:
+    """Power at the motor shaft that drives a load.
+
+    ``P`` power at the load, ``eta`` efficiency between motor and load.
+
+    >>> dynamic_power_of_torque(90.0, 0.9)
+    100.0
+    """
+    return P / eta

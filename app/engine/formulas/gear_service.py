@@ -1,7 +1,19 @@
 """Industrial gear units: output speed and torque, service factor, overhung load, backlash on the machine."""
 
 from app.engine.formula import formula
-from app.engine.units import KilogramMetre2, Metre, MetrePerRad, Newton, NewtonMetre, One, Rad, RadPerSecond, Watt
+from app.engine.units import (
+    KilogramMetre2,
+    Metre,
+    MetrePerRad,
+    Newton,
+    NewtonMetre,
+    One,
+    PerSecond,
+    Rad,
+    RadPerSecond,
+    Second,
+    Watt,
+)
 
 
 @formula(symbol="n_a", unit="rpm", source="SEW 2001, 6.1: output speed of the chosen ratio")
@@ -149,3 +161,40 @@ def backlash_on_load(phi_G: Rad, A: MetrePerRad) -> Metre:
     0.001
     """
     return phi_G * A
+
+
+@formula(symbol="Z_L", unit="1/h", source="SEW 2001, 6.2: starts, brakings and speed changes")
+def load_changes(n_L: One, z_c: One, t_cyc: Second) -> PerSecond:
+    """How often the load of a gear unit changes.
+
+    ``n_L`` changes of each start: 2 for start and braking, 3 with a change of speed, ``z_c`` starts in a cycle,
+    ``t_cyc`` length of the cycle.
+
+    >>> load_changes(3.0, 1.0, 30.0) * 3600
+    360.0
+    """
+    return n_L * z_c / t_cyc
+
+
+@formula(symbol="Z", unit="1/h", source="derived: starts in a cycle over its time")
+def starting_rate(z_c: One, t_cyc: Second) -> PerSecond:
+    """How often the motor starts.
+
+    ``z_c`` starts in a cycle, ``t_cyc`` length of the cycle.
+
+    >>> round(starting_rate(1.0, 30.0) * 3600, 6)
+    120.0
+    """
+    return z_c / t_cyc
+
+
+@formula(symbol="M_a", unit="N m", source="SEW 2001, 12.2: torque that the gear unit must have in its catalogue")
+def required_gear_torque(M_a: NewtonMetre, f_B: One) -> NewtonMetre:
+    """Catalogue torque that a gear unit needs.
+
+    ``M_a`` torque at the output, ``f_B`` service factor demanded.
+
+    >>> required_gear_torque(60.0, 1.5)
+    90.0
+    """
+    return M_a * f_B

@@ -9,19 +9,22 @@ from pydantic import Field, model_validator
 
 from app.engine.cycle import LoadCycle
 from app.engine.environment import Environment
-from app.engine.formulas.conversion import acceleration_torque, sum_of_torques
+from app.engine.formulas.belt import pulley_transmission
+from app.engine.formulas.conversion import acceleration_torque, linear_speed, linear_way, sum_of_torques
 from app.engine.formulas.inertia import sum_of_inertias
 from app.engine.formulas.rotary import bearing_friction_torque, unbalance_amplitude, unbalance_torque
-from app.engine.mechanisms.base import Load, Mechanism, Statics
+from app.engine.mechanisms.base import Load, LoadState, Mechanism, Statics
 from app.engine.mechanisms.bodies import AnyBody
 from app.engine.mechanisms.guided_axis import refused, split
 from app.engine.mechanisms.phases import record_phases
 from app.engine.mechanisms.stage import STAGE, stage_or_none
+from app.engine.mechanisms.states import steady_runs
 from app.engine.motion.profile import FloatArray, MotionProfile
 from app.engine.quantity import Declaration, Option, Quantity
 from app.engine.sheet import Sheet
 
 RESISTANCES = "Resistances"
+RIM = "Rim"
 UNBALANCE = "Unbalance"
 ANGLE_STEP = np.pi / 90
 """Steps in which the torque of an unbalance is followed: 2 degrees, exact within 0.02 % [rad]"""
@@ -90,6 +93,20 @@ class RotaryLoad(Mechanism):
         Quantity(
             "1", symbol="mu_L", ge=0, le=1, default=0.005, source="SEW 2001, 17.1: rolling bearing", group=RESISTANCES,
             about="coefficient of bearing friction",
+        ),
+    ]  # fmt: skip
+    rim_diameter: Annotated[
+        float | None,
+        Quantity(
+            "mm", symbol="D", gt=0, le=100, default=None, group=RIM,
+            about="diameter at which ways, speeds and accelerations are told, e.g. the rim of a table",
+        ),
+    ]  # fmt: skip
+    permissible_acceleration: Annotated[
+        float | None,
+        Quantity(
+            "m/s2", symbol="a_p", gt=0, le=1000, default=None, group=RIM,
+            about="acceleration that the goods bear at that diameter; empty: no limit",
         ),
     ]  # fmt: skip
     external_torque: Annotated[
@@ -161,6 +178,12 @@ class RotaryLoad(Mechanism):
             raise refused(self, lacking, "mass and radius of the unbalance belong together; give both or neither")
         return self
 
+    @model_validator(mode="after")
+    def _a_limit_needs_its_diameter(self) -> Self:
+        if self.permissible_acceleration is not None and self.rim_diameter is None:
+            raise refused(self, "rim_diameter", "is needed for the permissible acceleration")
+        return self
+
     def defaults_taken(self) -> Iterator[tuple[str, Declaration, Any]]:
         """As in the base, without those that do not count here."""
         idle = set() if self.bearing_diameter is not None else {"bearing_friction"}
@@ -176,6 +199,8 @@ class RotaryLoad(Mechanism):
         """Load cycle at the axis, or at the input of the stage before it."""
         inertia = self._record_inertia(sheet)
         resistances = self._resistances(sheet, motion, environment)
+        course = motion
+        self._record_rim(sheet, motion)
         if resistances.by_angle:
             motion = split(motion, _angle_steps(motion))
         cycle = _cycle(motion, inertia, resistances)
@@ -186,6 +211,7 @@ class RotaryLoad(Mechanism):
             statics=_statics(motion, resistances),
             opposite=None if one_way else _cycle(motion.mirrored(), inertia, resistances),
             results={"load_inertia_at_axis": cycle.inertia},
+            states=self._states(course, inertia, resistances),
         )
         stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
         if stage is None:
@@ -217,6 +243,31 @@ class RotaryLoad(Mechanism):
                                   r_u=self.unbalance_radius, delta=self.axis_tilt)  # fmt: skip
             by_angle = amplitude > 0 and self._can_follow_angle(sheet, motion)
             return _Resistances(friction, self.external_torque, amplitude, by_angle, self.start_angle)
+
+    def _record_rim(self, sheet: Sheet, motion: MotionProfile) -> None:
+        """Write way, speed and acceleration at the rim."""
+        if self.rim_diameter is None:
+            return
+        with sheet.section(RIM):
+            A = sheet(pulley_transmission, key="rim_radius", label="Way at the rim per radian", d=self.rim_diameter)
+            swept = float(np.ptp(motion.position))
+            sheet(linear_way, key="rim_way", label="Way at the rim over the cycle", phi=swept, A=A)
+            sheet(linear_speed, key="rim_speed", label="Highest speed at the rim", omega=motion.max_speed, A=A)
+
+    def _states(self, motion: MotionProfile, inertia: float, resistances: _Resistances) -> tuple[LoadState, ...]:
+        """States of load at the axis, the unbalance at its worst."""
+        one_way = resistances.unbalance == 0 and resistances.external == 0
+        return tuple(
+            LoadState(
+                key=run.key, label=run.label, direction=run.direction,
+                torque=resistances.friction + resistances.unbalance + run.direction * resistances.external
+                + run.process_force,
+                inertia=inertia + run.payload, speed=run.speed,
+                travel=None if self.rim_diameter is None else self.rim_diameter / 2,
+                permissible_acceleration=self.permissible_acceleration, starts=run.starts, duration=run.duration,
+            )
+            for run in steady_runs(motion, both_directions=not one_way, unit="kg m2")
+        )  # fmt: skip
 
     def _can_follow_angle(self, sheet: Sheet, motion: MotionProfile) -> bool:
         if self.unbalance_follows == "worst_case":
