@@ -88,6 +88,30 @@ def variator_service_factor(f_B: One, f_TV: One) -> One:
     return f_B * f_TV
 
 
+@formula(symbol="M_a'", unit="N m", source="SEW 2001, 5.2: chosen by the torque times the service factor")
+def torque_with_service_factor(M_a: NewtonMetre, f_B: One) -> NewtonMetre:
+    """Torque by which a variable-speed gear is chosen.
+
+    ``M_a`` torque at the output, ``f_B`` service factor demanded.
+
+    >>> torque_with_service_factor(400.0, 1.5)
+    600.0
+    """
+    return M_a * f_B
+
+
+@formula(symbol="P_a'", unit="kW", source="SEW 2001, 5.2: chosen by the power times the service factor")
+def power_with_service_factor(P_a: Watt, f_B: One) -> Watt:
+    """Power by which a variable-speed gear is chosen.
+
+    ``P_a`` power at the output, ``f_B`` service factor demanded.
+
+    >>> power_with_service_factor(2000.0, 1.25)
+    2500.0
+    """
+    return P_a * f_B
+
+
 @formula(symbol="M_zul", unit="N m", source="derived: power in a straight line between the two listed ends")
 def variator_torque_between(
     n_a: RadPerSecond, n_a1: RadPerSecond, n_a2: RadPerSecond, M_a1: NewtonMetre, M_a2: NewtonMetre
