@@ -21,7 +21,7 @@ CHECK_NAMES = {
     "service_factor": "Gear unit: service factor",
     "overhung_load": "Gear unit: overhung load",
     "gear_input_speed": "Gear unit: highest input speed",
-    "gear_output_torque": "Gear unit: torque of the load",
+    "break_away": "Gear unit: motor starts the load at the efficiency of the start",
     "backlash": "Backlash on the machine",
     "load_speed": "Speed that the chosen ratio gives",
 }
@@ -80,6 +80,16 @@ class GearService(Declared):
         Quantity("1", symbol="f_Z", ge=1, le=5, default=None, group=_GROUP,
                  about="overhung load factor; empty: from the table"),
     ]  # fmt: skip
+    start_up_efficiency: Annotated[
+        float | None,
+        Quantity("1", symbol="eta_A", gt=0, le=1, default=None, group=_GROUP,
+                 about="efficiency at the start or while new, lower than in running for worm gear units"),
+    ]  # fmt: skip
+    speed_tolerance: Annotated[
+        float,
+        Quantity("%", symbol="dn_p", gt=0, le=1, default=0.05, source="usual between neighbouring ratios", group=_GROUP,
+                 about="how far the speed of the chosen ratio may be from the demanded one"),
+    ]  # fmt: skip
     permitted_backlash: Annotated[
         float | None,
         Quantity("mm", symbol="ds_p", gt=0, le=1, default=None, group=_GROUP,
@@ -95,7 +105,7 @@ class GearCase:
     service: GearService
     load: Load
     motor_speed: float
-    """Rated speed of the motor, or its highest speed in operation [rad/s]"""
+    """Rated speed of the motor [rad/s]"""
     rated_torque: float
     """Rated torque of the motor [N m]"""
     external_inertia: float | None
@@ -107,21 +117,28 @@ class GearCase:
     """[K]"""
     duty: float
     """0 to 1"""
+    run_up_torque: float | None = None
+    """Mean run-up torque of the motor [N m]; None where it is not known"""
+    highest_speed: float | None = None
+    """Highest speed of the motor where an inverter sets it; None where the mains do [rad/s]"""
 
 
 def record_gear_service(case: GearCase, sheet: Sheet) -> None:
     """Write output speed and torque, service factor, overhung load and backlash, with their checks."""
     with sheet.section("Gear unit"):
         gear = case.gear
-        sheet(formulas.output_speed, key="gear_output_speed", omega=case.motor_speed, i=gear.ratio)
+        speed = sheet(formulas.output_speed, key="gear_output_speed", omega=case.motor_speed, i=gear.ratio)
         torque = sheet(formulas.output_torque, key="gear_output_torque", M_N=case.rated_torque, i=gear.ratio)
         _check_input_speed(case, sheet)
+        if case.highest_speed is None:
+            _check_output_speed(case, speed, sheet)
         _check_service_factor(case, torque, sheet)
         _check_overhung(case, torque, sheet)
-        if case.efficiency <= 0.5 or (gear.kind or "") == "worm":
+        if case.efficiency <= 0.5 or is_worm(gear):
             back = sheet(retrograde_efficiency, key="gear_retrograde_efficiency", eta=case.efficiency)
             holds = "holds the load by itself" if back == 0 else "does not hold the load by itself"
             sheet.decide(f"The gear unit {holds}", "efficiency of 0.5 or less is self-locking at standstill")
+        _check_break_away(case, sheet)
         _check_backlash(case, sheet)
 
 
@@ -136,10 +153,38 @@ def load_changes(case: GearCase, sheet: Sheet) -> float:
     return sheet(formulas.load_changes, n_L=case.service.load_changes_per_start, z_c=starts, t_cyc=time) * HOUR
 
 
+def is_worm(gear: GearUnit) -> bool:
+    """Whether a gear unit has a worm stage, alone or behind a helical one."""
+    return "worm" in (gear.kind or "")
+
+
+def _check_output_speed(case: GearCase, speed: float, sheet: Sheet) -> None:
+    """Compare the speed that the ratio gives with the one that the motion demands."""
+    demanded = max((state.speed for state in case.load.states), default=0.0)
+    if demanded == 0:
+        return
+    found = sheet(formulas.speed_deviation, key="gear_speed_deviation", n_a=speed, omega=demanded)
+    sheet.check("load_speed", CHECK_NAMES["load_speed"], abs(found), case.service.speed_tolerance, "%", "own demand",
+                formula="speed_deviation")  # fmt: skip
+
+
+def _check_break_away(case: GearCase, sheet: Sheet) -> None:
+    """Whether the motor sets the load in motion although the gear unit is less efficient at standstill."""
+    eta_A = case.service.start_up_efficiency
+    if eta_A is None or not case.load.states:
+        return
+    load = max(max(state.torque, 0.0) / state.efficiency for state in case.load.states)
+    torque = sheet(formulas.break_away_torque, T=load, i=case.gear.ratio, eta_A=eta_A)
+    lacking = "" if case.run_up_torque is not None else "run-up torque of the motor"
+    sheet.check("break_away", CHECK_NAMES["break_away"], torque, case.run_up_torque, "N m", "motor: data sheet",
+                formula="break_away_torque", missing=lacking)  # fmt: skip
+
+
 def _check_input_speed(case: GearCase, sheet: Sheet) -> None:
     if case.gear.max_input_speed is not None:
-        sheet.check("gear_input_speed", CHECK_NAMES["gear_input_speed"], case.motor_speed, case.gear.max_input_speed,
-                    "rpm", SOURCE)  # fmt: skip
+        speed = case.highest_speed if case.highest_speed is not None else case.motor_speed
+        sheet.check("gear_input_speed", CHECK_NAMES["gear_input_speed"], speed, case.gear.max_input_speed, "rpm",
+                    SOURCE)  # fmt: skip
 
 
 def _check_service_factor(case: GearCase, torque: float, sheet: Sheet) -> None:
@@ -176,7 +221,7 @@ def _demanded_factor(case: GearCase, sheet: Sheet) -> tuple[float | None, str]:
     if f_B is None:
         return None, "service factor for these load changes and hours per day"
     f_B1 = f_B2 = 1.0
-    if case.gear.kind == "worm":
+    if is_worm(case.gear):
         found_1 = sheet.look_up("worm_f_b1", "factor of the ambient temperature on the service factor", symbol="f_B1",
                                 x=case.ambient - 273.15, given=service.ambient_factor)  # fmt: skip
         found_2 = sheet.look_up("worm_f_b2", "factor of the duty on the service factor", symbol="f_B2", x=case.duty,

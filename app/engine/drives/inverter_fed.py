@@ -110,7 +110,7 @@ class InverterFedDrive(MotorRules, DriveModel):
             record_powers(shaft, given.load.cycle, sheet)
         case = InverterCase(rules=self, line=line, shaft=shaft, data=data, inverter=given.product("inverter"))
         if data is not None:
-            line.record_gear_unit(data, sides, sheet)
+            line.record_gear_unit(data, sides, sheet, highest_speed=shaft.max_speed)
             check_torque(case, sheet)
             check_frequency(case, sheet)
             check_currents(case, sheet)

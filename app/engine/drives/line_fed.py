@@ -161,8 +161,13 @@ class LineFed:
             return self.rules.duty
         return min(sum(state.duration for state in self.load.states) / self.cycle_time, 1.0)
 
-    def record_gear_unit(self, data: MotorData, sides: Sequence[MotorSide], sheet: Sheet) -> None:
-        """Write and check what the gear unit bears behind this winding."""
+    def record_gear_unit(
+        self, data: MotorData, sides: Sequence[MotorSide], sheet: Sheet, *, highest_speed: float | None = None
+    ) -> None:
+        """Write and check what the gear unit bears behind this winding.
+
+        ``highest_speed`` of the motor in operation [rad/s] where an inverter sets it.
+        """
         if self.gear is None:
             return
         flywheel = self.rules.flywheel_inertia
@@ -171,6 +176,7 @@ class LineFed:
             rated_torque=data.rated_torque, external_inertia=max((s.external_inertia for s in sides), default=None),
             motor_inertia=None if self.motor_inertia is None else self.motor_inertia + flywheel,
             efficiency=self.gear_efficiency, ambient=self.environment.ambient_temperature, duty=self.duty,
+            run_up_torque=data.run_up, highest_speed=highest_speed,
         )  # fmt: skip
         record_gear_service(case, sheet)
 
