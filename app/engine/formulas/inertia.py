@@ -111,3 +111,51 @@ def sum_of_inertias(J_k: KilogramMetre2) -> KilogramMetre2:
     0.75
     """
     return total(J_k)
+
+
+@formula(symbol="J", unit="kg m2", source="SEW 2001, 7.2: thin disc about a diameter")
+def disc_about_diameter_inertia(m: Kilogram, D: Metre) -> KilogramMetre2:
+    """Inertia of a thin disc about an axis in its plane.
+
+    ``m`` mass, ``D`` diameter.
+
+    >>> round(disc_about_diameter_inertia(12.0, 0.4), 6)
+    0.12
+    """
+    return m * D**2 / 16
+
+
+@formula(symbol="J", unit="kg m2", source="SEW 2001, 7.2: sphere")
+def sphere_inertia(m: Kilogram, D: Metre) -> KilogramMetre2:
+    """Inertia of a solid sphere about its centre.
+
+    ``m`` mass, ``D`` diameter.
+
+    >>> round(sphere_inertia(12.0, 0.4), 6)
+    0.192
+    """
+    return m * D**2 / 10
+
+
+@formula(symbol="J", unit="kg m2", source="SEW 2001, 7.2: spherical shell")
+def spherical_shell_inertia(m: Kilogram, D: Metre) -> KilogramMetre2:
+    """Inertia of a thin hollow sphere about its centre.
+
+    ``m`` mass, ``D`` diameter.
+
+    >>> round(spherical_shell_inertia(12.0, 0.4), 6)
+    0.32
+    """
+    return m * D**2 / 6
+
+
+@formula(symbol="J", unit="kg m2", source="SEW 2001, 7.2: thin rod")
+def rod_inertia(m: Kilogram, l: Metre) -> KilogramMetre2:
+    """Inertia of a thin rod about its middle, axis across.
+
+    ``m`` mass, ``l`` length.
+
+    >>> round(rod_inertia(12.0, 0.6), 6)
+    0.36
+    """
+    return m * l**2 / 12
