@@ -180,6 +180,7 @@ _TERMS: tuple[tuple[str, str, str], ...] = (
     ("n_L", "load changes of each start", "1"),
     ("n_M", "number of motors", "1"),
     ("n_S", "synchronous speed", "rad/s"),
+    ("n_inc", "increments of an encoder per revolution", "1"),
     ("n_r", "falls of rope that carry the load", "1"),
     ("n_st", "number of equal stages", "1"),
     ("n_t", "number of pulleys", "1"),

@@ -12,7 +12,6 @@ from app.engine.drives.inverter_limits import (
     check_currents,
     check_frequency,
     check_torque,
-    power_segments,
     record_powers,
 )
 from app.engine.drives.line_fed import LineFed, motor_data
@@ -26,7 +25,7 @@ from app.engine.drives.parts import (
     InverterChoice,
     MotorBrakeChoice,
 )
-from app.engine.drives.shaft import MotorShaft, record_inertias, record_speeds, record_torques
+from app.engine.drives.shaft import MotorShaft, power_segments, record_inertias, record_speeds, record_torques
 from app.engine.formulas.conversion import speed_before_ratio
 from app.engine.gear import Transmission
 from app.engine.quantity import Option, Quantity

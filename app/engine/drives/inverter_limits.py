@@ -13,7 +13,6 @@ from app.engine.drives.shaft import MotorShaft
 from app.engine.formulas import inverter_fed as formulas
 from app.engine.formulas.servo import motor_current, shaft_power, signed_power, torque_constant
 from app.engine.products import Inverter
-from app.engine.resistor import PowerSegment
 from app.engine.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -102,17 +101,6 @@ class InverterCase:
             breakdown=None if ratio is None else ratio * self.data.rated_torque / self.rules.breakdown_reserve,
             max_speed=self.shaft.max_speed,
         )  # fmt: skip
-
-
-def power_segments(shaft: MotorShaft, cycle: LoadCycle) -> list[PowerSegment]:
-    """Power of the motor shaft in every segment; a closed brake takes and gives none."""
-    ratio, torque = shaft.transmission.ratio, shaft.torque(cycle)
-    start, end = torque * cycle.speed_start * ratio, torque * cycle.speed_end * ratio
-    return [
-        PowerSegment(cycle.label[k], float(cycle.duration[k]), float(start[k]), float(end[k]),
-                     bool(abs(cycle.speed_end[k]) < abs(cycle.speed_start[k])))
-        for k in range(len(cycle.duration)) if not cycle.braked[k]
-    ]  # fmt: skip
 
 
 def record_powers(shaft: MotorShaft, cycle: LoadCycle, sheet: Sheet) -> None:

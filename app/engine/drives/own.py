@@ -126,6 +126,11 @@ class OwnGearUnit(OwnProduct):
             group="Own gear unit",
         ),
     ]
+    backlash: Annotated[
+        float | None,
+        Quantity("arcmin", symbol="phi_G", ge=0, le=0.1, default=None, about="backlash at the output",
+                 group="Own gear unit"),
+    ]  # fmt: skip
     nominal_torque: Annotated[float | None, _torque("T_2N", "nominal output torque", "Own gear unit")]
     acceleration_torque: Annotated[float | None, _torque("T_2B", "permitted acceleration torque", "Own gear unit")]
     emergency_torque: Annotated[float | None, _torque("T_2Not", "permitted emergency torque", "Own gear unit")]

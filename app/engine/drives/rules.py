@@ -24,6 +24,7 @@ CHECK_NAMES = {
     "rest_torque": "Steady torque at rapid speed (M_2)",
     "working_torque": "Steady torque at working speed (M_3)",
     "dynamic_peak_torque": "Dynamic torque",
+    "positioning_accuracy": "Positioning accuracy",
     "drive_peak_current": "Servo drive: peak current",
     "drive_continuous_current": "Servo drive: effective current",
 }
@@ -137,6 +138,16 @@ class ServoRules(Declared):
             group="Rules",
         ),
     ]
+    encoder_increments: Annotated[
+        float | None,
+        Quantity("1", symbol="n_inc", gt=0, le=1e9, default=None, about="increments of the encoder per revolution",
+                 group="Rules"),
+    ]  # fmt: skip
+    accuracy: Annotated[
+        float | None,
+        Quantity("mm", symbol="ds_p", gt=0, le=1, default=None, about="demanded positioning accuracy to either side",
+                 group="Rules"),
+    ]  # fmt: skip
     emergency_stop_factor: Annotated[
         float | None,
         Quantity(

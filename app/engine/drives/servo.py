@@ -11,15 +11,24 @@ from app.engine.drives.case import ServoCase
 from app.engine.drives.lachman import check_lachman
 from app.engine.drives.limits import ServoLimits
 from app.engine.drives.parts import GearUnitChoice, MotorChoice, ServoDriveChoice
-from app.engine.drives.rules import LACHMAN_INERTIA_LIMIT, ServoRules, brake_needed, permitted_speed, rotor_inertia
-from app.engine.drives.shaft import MotorShaft, record_inertias, record_speeds, record_torques
+from app.engine.drives.rules import (
+    CHECK_NAMES,
+    LACHMAN_INERTIA_LIMIT,
+    ServoRules,
+    brake_needed,
+    permitted_speed,
+    rotor_inertia,
+)
+from app.engine.drives.shaft import MotorShaft, power_segments, record_inertias, record_speeds, record_torques
 from app.engine.drives.usual import check_usual
 from app.engine.environment import Environment
 from app.engine.formulas.gear import highest_load_speed, ratio_for_inertia_limit, ratio_for_speed
+from app.engine.formulas.gear_service import positioning_accuracy
 from app.engine.gear import Transmission, check_gear_unit
 from app.engine.inverter import Currents, check_drive, record_currents
 from app.engine.mechanisms.base import Load
 from app.engine.products import ServoDrive, ServoGearUnit, ServoMotor
+from app.engine.resistor import record_braking
 from app.engine.sheet import Check, Sheet
 
 HEADLINES = (
@@ -100,6 +109,11 @@ def check_servo(
     with sheet.section("Motor"):
         (check_lachman if rules.rule_set == "lachman" else check_usual)(case, sheet)
     currents = _currents(case, sheet)
+    if not case.shaft.transmission.missing:
+        with sheet.section("Braking energy"):
+            cycle = load.cycle
+            record_braking(sheet, power_segments(case.shaft, cycle), cycle.cycle_time)
+        _record_accuracy(case, gear, sheet)
     if drive is not None:
         with sheet.section("Servo drive"):
             check_drive(drive, currents, sheet)
@@ -163,6 +177,27 @@ def _record_ratio_bounds(case: ServoCase, sheet: Sheet) -> None:
     if speed is not None and case.shaft.hull.max_speed > 0:
         sheet(ratio_for_speed, omega_max=speed, omega_L=case.shaft.hull.max_speed)
         sheet(highest_load_speed, omega_max=speed, i=case.shaft.transmission.ratio)
+
+
+def _record_accuracy(case: ServoCase, gear: ServoGearUnit | None, sheet: Sheet) -> None:
+    """Positioning accuracy from backlash and encoder; a load that always pulls one way takes no backlash."""
+    travel = next((state.travel for state in case.load.states if state.travel is not None), None)
+    increments = case.rules.encoder_increments
+    if increments is None or travel is None:
+        return
+    with sheet.section("Positioning accuracy"):
+        backlash = 0.0 if gear is None else gear.backlash
+        if abs(case.load.statics.holding) > 1e-9 * max(abs(case.load.statics.forward), 1e-12):
+            sheet.decide("The backlash does not count", "gravity presses on the same flank of the teeth all the time")
+            backlash = 0.0
+        found = None
+        if backlash is not None:
+            found = sheet(positioning_accuracy, phi_G=backlash, A=travel, n_inc=increments,
+                          i=case.shaft.transmission.ratio)  # fmt: skip
+        if case.rules.accuracy is not None:
+            missing = "" if found is not None else "backlash of the gear unit"
+            sheet.check("positioning_accuracy", CHECK_NAMES["positioning_accuracy"], found, case.rules.accuracy, "mm",
+                        "own demand", formula="positioning_accuracy", missing=missing)  # fmt: skip
 
 
 def _currents(case: ServoCase, sheet: Sheet) -> Currents:

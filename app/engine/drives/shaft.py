@@ -8,11 +8,12 @@ import numpy as np
 
 from app.engine.cycle import CycleHull, FloatArray, LoadCycle
 from app.engine.formulas.conversion import speed_before_ratio, torque_before_ratio
-from app.engine.formulas.duty import effective_torque, mean_speed
+from app.engine.formulas.duty import effective_torque, mean_speed, mean_torque
 from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
 from app.engine.formulas.servo import motor_acceleration, motor_torque, peak_torque, shaft_power
 from app.engine.gear import Transmission
 from app.engine.mechanisms.base import Load
+from app.engine.resistor import PowerSegment
 from app.engine.sheet import Sheet
 
 MAX_PHASES = 12
@@ -141,6 +142,17 @@ class MotorShaft:
         return float(speed_before_ratio(self.hull.max_speed, self.transmission.ratio))
 
 
+def power_segments(shaft: MotorShaft, cycle: LoadCycle) -> list[PowerSegment]:
+    """Power of the motor shaft in every segment; a closed brake takes and gives none."""
+    ratio, torque = shaft.transmission.ratio, shaft.torque(cycle)
+    start, end = torque * cycle.speed_start * ratio, torque * cycle.speed_end * ratio
+    return [
+        PowerSegment(cycle.label[k], float(cycle.duration[k]), float(start[k]), float(end[k]),
+                     bool(abs(cycle.speed_end[k]) < abs(cycle.speed_start[k])))
+        for k in range(len(cycle.duration)) if not cycle.braked[k]
+    ]  # fmt: skip
+
+
 def record_speeds(shaft: MotorShaft, sheet: Sheet) -> None:
     """Put speeds and acceleration of the motor shaft on the sheet; they need the ratio only."""
     ratio = shaft.transmission.ratio
@@ -172,7 +184,9 @@ def record_torques(shaft: MotorShaft, sheet: Sheet) -> None:
     powerful = shaft.strongest(with_rotor=True)
     torque = float(shaft.torque(powerful.cycle)[powerful.segment])
     _record_power(shaft, powerful, torque, "motor_power_peak", "Largest power of the motor, rotor included", sheet)
-    sheet(effective_torque, M_k=shaft.torque(shaft.load.cycle), t_k=shaft.load.cycle.duration)
+    torques = shaft.torque(shaft.load.cycle)
+    sheet(effective_torque, M_k=torques, t_k=shaft.load.cycle.duration)
+    sheet(mean_torque, M_k=np.abs(torques), t_k=shaft.load.cycle.duration)
     sheet(torque_before_ratio, key="holding_torque_on_motor", symbol="M_H", M=abs(shaft.load.statics.holding),
           i=shaft.transmission.ratio, label="Torque that holds the axis at standstill, no friction")  # fmt: skip
 

@@ -53,3 +53,15 @@ def duty_share(t_on: Second, t_cyc: Second) -> One:
     0.4
     """
     return t_on / t_cyc
+
+
+@formula(symbol="M_mean", unit="N m", source="SEW 2001, 16.4: mean of the magnitudes, pauses included")
+def mean_torque(M_k: NewtonMetre, t_k: Second) -> NewtonMetre:
+    """Mean of the unsigned torque over a cycle: what the mean current of an axis module follows.
+
+    ``M_k`` unsigned torque in each segment, ``t_k`` durations, pauses included.
+
+    >>> mean_torque([4.0, 0.0], [1.0, 3.0])
+    1.0
+    """
+    return total(M_k * t_k) / total(t_k)

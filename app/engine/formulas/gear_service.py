@@ -1,6 +1,6 @@
 """Industrial gear units: output speed and torque, service factor, overhung load, backlash on the machine."""
 
-from app.engine.formula import formula
+from app.engine.formula import formula, pi
 from app.engine.units import (
     KilogramMetre2,
     Metre,
@@ -198,3 +198,16 @@ def required_gear_torque(M_a: NewtonMetre, f_B: One) -> NewtonMetre:
     90.0
     """
     return M_a * f_B
+
+
+@formula(symbol="ds", unit="mm", source="SEW 2001, 16.3: half the backlash and one increment of the encoder")
+def positioning_accuracy(phi_G: Rad, A: MetrePerRad, n_inc: One, i: One) -> Metre:
+    """Deviation of a position to either side.
+
+    ``phi_G`` whole backlash of the output shaft, ``A`` path of the load per radian of it, ``n_inc`` increments of the
+    encoder on the motor per revolution, ``i`` ratio.
+
+    >>> round(positioning_accuracy(0.0029089, 0.0875, 4096, 16) * 1000, 4)
+    0.1357
+    """
+    return A * phi_G / 2 + 2 * pi * A / (n_inc * i)

@@ -249,3 +249,16 @@ def torque_between_points(
     8.0
     """
     return M_a + (M_b - M_a) * (n - n_a) / (n_b - n_a)
+
+
+@formula(symbol="M_0", unit="N m", source="SEW 2001, 16.3: a servomotor gives about three times its standstill torque")
+def torque_share(M: NewtonMetre, n_M: One) -> NewtonMetre:
+    """Least standstill torque of a servomotor, from the peak torque that is demanded.
+
+    ``M`` peak torque, ``n_M`` how often the motor can give its standstill torque for a short time, or the number of
+    motors that share a torque.
+
+    >>> torque_share(6.0, 3.0)
+    2.0
+    """
+    return M / n_M
