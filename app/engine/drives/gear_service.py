@@ -14,6 +14,8 @@ _GROUP = "Gear unit"
 SOURCE = "gear unit: data sheet"
 CLASSES = ((0.2, 1), (3.0, 2), (10.0, 3))
 """Largest factor of inertia of load class I, II and III: SEW 2001, 6.2."""
+BACKLASH_FACTOR = 20.0
+"""Factor of inertia above which backlash does harm: SEW 2001, 8.2."""
 CLASS_NAMES = {1: "I (uniform)", 2: "II (moderate shocks)", 3: "III (heavy shocks)"}
 HOUR = 3600.0
 
@@ -208,6 +210,8 @@ def _demanded_factor(case: GearCase, sheet: Sheet) -> tuple[float | None, str]:
             return None, "inertia of motor and load"
         return service.service_factor, ""
     f_a = sheet(formulas.inertia_factor_of_load, J_ext=case.external_inertia, J_M=case.motor_inertia)
+    if f_a > BACKLASH_FACTOR:
+        sheet.decide("Keep the backlash small", "the factor of inertia is above 20: SEW 2001, 8.2")
     number = next((number for limit, number in CLASSES if f_a <= limit), None)
     if number is None:
         sheet.decide("No load class", "the factor of inertia is above 10: ask the maker")

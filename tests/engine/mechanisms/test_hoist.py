@@ -6,7 +6,9 @@ import pytest
 from app.engine.environment import Environment
 from app.engine.mechanisms.hoist import Hoist
 from app.engine.motion import Moves
+from app.engine.motion.trips import LinearRun
 from app.engine.sheet import Sheet
+from tests.engine.mechanisms.laws import drawing_shows_fields
 
 MOTION = {"moves": [{"distance_mm": 1000, "speed_m_s": 0.3, "acceleration_m_s2": 0.3, "payload_kg": 300}], "pause_s": 1}
 
@@ -53,3 +55,7 @@ def test_the_opposite_cycle_returns_power_while_lowering():
     assert found.opposite is not None
     power = found.opposite.torque * found.opposite.mean_speed
     assert power[np.abs(found.opposite.acceleration) < 1e-9].min() == pytest.approx(-613.125 * 0.9 * 2.4)
+
+
+def test_the_drawing_shows_the_fields():
+    drawing_shows_fields([Hoist, LinearRun], "hoist.svg", {"m_0", "m_c", "m_p", "D", "n_r", "eta_L", "J_D", "i_2"})
