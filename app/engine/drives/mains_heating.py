@@ -34,7 +34,7 @@ def record_state(line: LineFed, data: MotorData, M_H: float, side: MotorSide, sh
     Z_0, K_P = data.winding.no_load_starting_frequency, starting_factor(line, side, sheet)
     if Z_0 is None or K_P is None or line.motor_inertia is None:
         return None
-    key, burden = side.state.key, side.burden(M_H)
+    key, burden = side.state.key, side.changing.burden(M_H)
     K_J = sheet(run.inertia_factor, key=f"{key}_inertia_factor", J_M=line.motor_inertia, J_tot=burden.inertia)
     K_M = sheet(run.load_torque_factor, key=f"{key}_load_torque_factor", M_L=burden.torque, M_H=M_H)
     if burden.torque < 0:

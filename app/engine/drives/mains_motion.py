@@ -47,6 +47,7 @@ class Brake:
 
 def record_start(sheet: Sheet, side: MotorSide, M_H: float, omega: float, name: str = "") -> Start | None:
     """Write a run-up against the load to speed ``omega``; ``name`` goes into the keys where a state starts twice."""
+    side = side.changing
     key, label = f"{side.state.key}{name}", side.state.label
     burden = side.record_burden(sheet, M_H, f"starting{name}", "Starting")
     sheet.check(f"run_up_torque_{key}", f"{CHECK_NAMES['run_up_torque']}: {label}", max(burden.torque, 0.0), M_H, "N m",
@@ -80,7 +81,7 @@ def record_least_flywheel(sheet: Sheet, side: MotorSide, M_H: float, omega: floa
     limit = side.state.permissible_acceleration
     if limit is None:
         return
-    bare = side.with_added(0.0)
+    bare = side.changing.with_added(0.0)
     burden = bare.burden(M_H)
     sheet(run.least_flywheel, key=f"{side.state.key}_least_flywheel", M_H=M_H, M_L=burden.torque, omega=omega,
           v=omega * side.travel, a_p=limit, J_tot=burden.inertia)  # fmt: skip
@@ -90,6 +91,7 @@ def record_stop(
     sheet: Sheet, side: MotorSide, brake: Brake, omega: float, *, falls: bool, name: str = ""
 ) -> Stop | None:
     """Write a stop from motor speed ``omega``; ``falls``: gravity changes the speed until the brake applies."""
+    side = side.changing
     key = f"{side.state.key}{name}"
     before = omega
     if falls:
@@ -122,6 +124,6 @@ def record_brake_limit(sheet: Sheet, side: MotorSide, brake: Brake, omega: float
     """Write the braking torque that just keeps the permissible deceleration."""
     limit = side.state.permissible_acceleration
     if limit is not None:
-        burden = side.burden(-brake.torque)
+        burden = side.changing.burden(-brake.torque)
         sheet(stop.braking_torque_of_deceleration, key=f"{side.state.key}_largest_braking_torque", J_tot=burden.inertia,
               a_p=limit, omega=omega, v=omega * side.travel, M_L=burden.torque)  # fmt: skip

@@ -75,6 +75,14 @@ class MotorSide:
         """Whether the load drives the motor in steady running: lowering."""
         return self.state.torque < 0
 
+    @property
+    def changing(self) -> "MotorSide":
+        """The same while it starts or stops: without a process that acts at full speed only."""
+        if not self.state.process_torque:
+            return self
+        left = self.state.torque - self.state.process_torque
+        return replace(self, state=replace(self.state, torque=left, process_torque=0.0))
+
     def with_added(self, inertia: float) -> "MotorSide":
         """The same with another additional inertia on the motor shaft."""
         return replace(self, added_inertia=inertia)

@@ -114,3 +114,15 @@ def record_stage(
         eta_r = float(regenerative_factor(eta, model))
         return sheet(returning_stage_torque, key=key, symbol=symbol, label=label, T=torque, eta_r=eta_r)
     return torque
+
+
+@formula(symbol="eta'", unit="1", source="SEW 2001, 8.1: retrograde efficiency; negative means self-locking")
+def friction_retrograde(eta: One) -> One:
+    """Efficiency while the load drives, negative where power would have to be put in from the load side, too.
+
+    ``eta`` efficiency while the motor drives. Where it is negative the stage is self-locking, and zero is to be used.
+
+    >>> friction_retrograde(0.4)
+    -0.5
+    """
+    return 2 - 1 / eta

@@ -221,3 +221,27 @@ def permitted_power(P_N: Watt, f_T: One, f_H: One, K: One) -> Watt:
     892.4
     """
     return P_N * f_T * f_H * K
+
+
+@formula(symbol="Z", unit="1/h", source="derived: heating of two starts adds up")
+def least_partner_frequency(Z: PerSecond, Z_k: PerSecond) -> PerSecond:
+    """Least permissible frequency of one start beside another, so that a number of cycles is reached.
+
+    ``Z`` cycles demanded, ``Z_k`` permissible frequency of the other start.
+
+    >>> round(least_partner_frequency(100.0, 200.0), 6)
+    200.0
+    """
+    return Z * Z_k / (Z_k - Z)
+
+
+@formula(symbol="K_P", unit="1", source="derived: the starting frequency is proportional to the factor")
+def required_factor(K_P: One, Z: PerSecond, Z_k: PerSecond) -> One:
+    """Factor of static power and duty at which a starting frequency is reached.
+
+    ``K_P`` factor with which ``Z_k`` was calculated, ``Z`` frequency that is needed.
+
+    >>> required_factor(0.8, 100.0, 200.0)
+    0.4
+    """
+    return K_P * Z / Z_k

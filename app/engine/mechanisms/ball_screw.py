@@ -21,11 +21,12 @@ from app.engine.formulas.inertia import linear_mass_inertia
 from app.engine.formulas.motion import triangle_speed
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces, viscous_friction
 from app.engine.formulas.screw import lead_angle, screw_friction_by_diameter, thread_efficiency
-from app.engine.mechanisms.base import Load, Mechanism, Statics
+from app.engine.mechanisms.base import Load, LoadState, Mechanism, Statics
 from app.engine.mechanisms.guided_axis import GuidedAxis, refused, without_zeros
 from app.engine.mechanisms.linear_axis import holding_forces
 from app.engine.mechanisms.phases import record_phases
 from app.engine.mechanisms.screw_shaft import ScrewShaft
+from app.engine.mechanisms.states import steady_runs
 from app.engine.motion.profile import FloatArray, MotionProfile
 from app.engine.quantity import Declaration, Option, Quantity
 from app.engine.sheet import Sheet
@@ -189,7 +190,36 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
         with sheet.section("Screw under load"):
             self.check_buckling(sheet, float(np.abs(force).max()))
         results |= {"load_inertia_on_screw": inertia, "peak_torque_at_screw": float(np.abs(cycle.torque).max())}
-        return Load(cycle=cycle, statics=statics, opposite=opposite if self.inclined else None, results=results)
+        return Load(
+            cycle=cycle, statics=statics, opposite=opposite if self.inclined else None, results=results,
+            states=self._states(screw, motion, environment.gravity),
+        )  # fmt: skip
+
+    def _states(self, screw: _Screw, motion: MotionProfile, gravity: float) -> tuple[LoadState, ...]:
+        """States of load at the screw.
+
+        The friction torque of the screw itself passes no nut: it is taken so that it comes out unchanged while the
+        motor drives.
+        """
+        found = []
+        for run in steady_runs(motion, both_directions=self.inclined):
+            force = (
+                run.direction * float(self.constant_force(run.payload, gravity))
+                + float(self.friction(run.payload, gravity))
+                + float(viscous_friction(self.viscous_coefficient, run.speed))
+                + run.process_force
+            )
+            moved = float(linear_mass_inertia(self.moved_mass(run.payload), screw.A))
+            lossy = screw.covers_load_side
+            found.append(LoadState(
+                key=run.key, label=run.label, direction=run.direction,
+                torque=float(torque_of_force(force, screw.A)) + screw.drag * (1.0 if lossy else screw.eta),
+                process_torque=run.process_force * screw.A if run.at_speed_only else 0.0,
+                inertia=moved + (screw.rotating if lossy else 0.0), front_inertia=0.0 if lossy else screw.rotating,
+                speed=run.speed / screw.A, efficiency=screw.eta, travel=screw.A, starts=run.starts,
+                duration=run.duration,
+            ))  # fmt: skip
+        return tuple(found)
 
     def transmission(self, payload: float, environment: Environment) -> LinearTransmission:
         """The axis as a transmission whose lead can be chosen; screw and coupling are kept as they are."""

@@ -64,6 +64,8 @@ class LoadState:
     """Path of the load per radian of this shaft [m/rad]; None where the load turns."""
     permissible_acceleration: float | None = None
     """Of the load before wheels slip or goods topple: [m/s2], or [rad/s2] of this shaft where ``travel`` is None."""
+    process_torque: float = 0.0
+    """Part of ``torque`` that acts at full speed only, not while starting and stopping [N m]"""
     starts: float = 1.0
     """Starts in this state in each cycle."""
     duration: float = 0.0

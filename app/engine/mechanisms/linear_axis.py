@@ -164,6 +164,7 @@ class LinearAxis:
                 key=run.key, label=run.label, direction=run.direction,
                 torque=float(torque_of_force(sum(parts), self.constant)), inertia=float(inertia),
                 front_inertia=self.front_inertia, speed=run.speed / self.constant, efficiency=self.efficiency,
+                process_torque=run.process_force * self.constant if run.at_speed_only else 0.0,
                 travel=self.constant, permissible_acceleration=permissible_acceleration, starts=run.starts,
                 duration=run.duration,
             ))  # fmt: skip

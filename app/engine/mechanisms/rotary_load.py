@@ -262,6 +262,7 @@ class RotaryLoad(Mechanism):
                 key=run.key, label=run.label, direction=run.direction,
                 torque=resistances.friction + resistances.unbalance + run.direction * resistances.external
                 + run.process_force,
+                process_torque=run.process_force if run.at_speed_only else 0.0,
                 inertia=inertia + run.payload, speed=run.speed,
                 travel=None if self.rim_diameter is None else self.rim_diameter / 2,
                 permissible_acceleration=self.permissible_acceleration, starts=run.starts, duration=run.duration,

@@ -56,6 +56,7 @@ class Stage:
         return replace(
             behind,
             torque=float(torque_before_ratio(behind.torque, self.ratio)),
+            process_torque=behind.process_torque / self.ratio,
             inertia=float(referred_inertia(behind.inertia + behind.front_inertia, self.ratio)),
             front_inertia=self.input_inertia,
             speed=float(speed_before_ratio(behind.speed, self.ratio)),

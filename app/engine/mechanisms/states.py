@@ -26,6 +26,8 @@ class SteadyRun:
     starts: float
     duration: float
     """[s]"""
+    at_speed_only: bool = False
+    """Whether the process force does not act while starting and stopping."""
     key: str = ""
     label: str = ""
 
@@ -89,7 +91,16 @@ def _runs(motion: MotionProfile) -> Iterator[SteadyRun]:
             speed=float(ends.max()),
             starts=0.0 if endless else 1.0,
             duration=float(motion.duration[chosen].sum()),
+            at_speed_only=_only_at_speed(motion, chosen, worst),
         )
+
+
+def _only_at_speed(motion: MotionProfile, chosen: Sequence[int], worst: int) -> bool:
+    """Whether the process force of a run is missing while it starts."""
+    if motion.at_speed_only is not None:
+        return bool(motion.at_speed_only[worst])
+    ramps = [k for k in chosen if motion.acceleration[k] != 0]
+    return bool(ramps) and motion.process_force[worst] != 0 and all(motion.process_force[k] == 0 for k in ramps)
 
 
 def _named(runs: Sequence[SteadyRun], words: Words, unit: str) -> Iterator[SteadyRun]:

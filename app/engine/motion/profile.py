@@ -48,6 +48,9 @@ class MotionProfile:
     """True where the axis stands and a brake holds it; False where it moves or the motor holds."""
     label: tuple[str, ...]
     """Phase of each segment, for the reader."""
+    at_speed_only: BoolArray | None = None
+    """True where the process force acts at full speed only, shape (n,); None: nowhere. Matters where the drive makes
+    its own ramps; other motions show it by their segments."""
     own_ramps: bool = False
     """Whether the drive makes its own ramps: then the segments hold none, and only such a drive can follow them."""
 

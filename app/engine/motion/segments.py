@@ -6,6 +6,7 @@ that half step is taken evenly from the others. So the end speed, the distance a
 and the effective acceleration is within 0.03 % of the exact one.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -110,7 +111,7 @@ class Segments:
         force = burden.force("standstill")
         self.add(duration, 0.0, 0.0, burden, force, direction, label, braked=hold == "brake")
 
-    def profile(self, *, own_ramps: bool = False) -> MotionProfile:
+    def profile(self, *, own_ramps: bool = False, at_speed_only: Sequence[bool] | None = None) -> MotionProfile:
         """The collected segments as arrays; ``own_ramps``: they hold no ramps, the drive makes them."""
         numbers = np.array([row[:6] for row in self._rows], dtype=float).T
         duration, start, end, payload, force, direction = numbers
@@ -118,4 +119,5 @@ class Segments:
             kind=self.kind, duration=duration, speed_start=start, speed_end=end, payload=payload, process_force=force,
             direction=direction, braked=np.array([row[6] for row in self._rows], dtype=bool),
             label=tuple(row[7] for row in self._rows), own_ramps=own_ramps,
+            at_speed_only=None if at_speed_only is None else np.array(at_speed_only, dtype=bool),
         )  # fmt: skip

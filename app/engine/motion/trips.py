@@ -40,6 +40,12 @@ class Run(Declared):
         float | None, Quantity("s", symbol="t_r", gt=0, le=1e6, about="time of the run, instead of a way", **_NONE)
     ]
 
+    process_during: Annotated[
+        Literal["motion", "constant_speed"],
+        Option(default="motion", source="usual for friction", about="when the process acts",
+               labels={"motion": "while the axis moves", "constant_speed": "at full speed only, not while starting"}),
+    ]  # fmt: skip
+
     @property
     @abstractmethod
     def burden(self) -> Burden:
@@ -155,7 +161,8 @@ class _Runs(MotionModel):
             total = sheet(formulas.sum_of_times, key="cycle_time", t_k=[running, *([pause] * len(times))])
             sheet(duty_share, t_on=running, t_cyc=total)
             sheet.decide("The ramps are those of the drive", "each run is described at full speed")
-        return segments.profile(own_ramps=True)
+        only = [run.process_during == "constant_speed" for run in self.sequence for _ in range(2 if pause > 0 else 1)]
+        return segments.profile(own_ramps=True, at_speed_only=only)
 
     def _time(self, run: Run) -> float:
         if run.duration is not None:
