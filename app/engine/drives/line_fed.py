@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from app.engine.drives.base import Given
 from app.engine.drives.gear_service import GearCase, record_gear_service
 from app.engine.drives.mains_motion import Brake
-from app.engine.drives.mains_rules import CHECK_NAMES, MotorRules
+from app.engine.drives.mains_rules import CHECK_NAMES, BrakingRules, MotorRules
 from app.engine.drives.mains_shaft import MotorSide
 from app.engine.environment import RATED_ALTITUDE, RATED_AMBIENT, Environment
 from app.engine.formulas import induction as run
@@ -59,8 +59,8 @@ class LineFed:
         return cls(
             rules=rules, load=given.load, environment=given.environment, motor=motor, gear=gear,
             brake_product=brake or MotorBrake(id="", manufacturer="", series="", model="", source=""),
-            brake=_brake(rules, brake, sheet), gear_efficiency=_gear_efficiency(rules, gear, sheet),
-            motor_inertia=None if motor is None else _inertia(motor, brake, sheet),
+            brake=brake_of(rules, brake, sheet), gear_efficiency=_gear_efficiency(rules, gear, sheet),
+            motor_inertia=None if motor is None else motor_inertia_of(motor, brake, sheet),
         )  # fmt: skip
 
     @property
@@ -234,7 +234,7 @@ def _gear_efficiency(rules: MotorRules, gear: GearUnit | None, sheet: Sheet) -> 
     return found
 
 
-def _inertia(motor: InductionMotor, brake: MotorBrake | None, sheet: Sheet) -> float | None:
+def motor_inertia_of(motor: InductionMotor, brake: MotorBrake | None, sheet: Sheet) -> float | None:
     """Inertia of rotor and brake [kg m2]."""
     if brake is None:
         return motor.rotor_inertia if motor.rotor_inertia is not None else motor.rotor_inertia_with_brake
@@ -248,7 +248,7 @@ def _inertia(motor: InductionMotor, brake: MotorBrake | None, sheet: Sheet) -> f
     return motor.rotor_inertia
 
 
-def _brake(rules: MotorRules, brake: MotorBrake | None, sheet: Sheet) -> Brake | None:
+def brake_of(rules: BrakingRules, brake: MotorBrake | None, sheet: Sheet) -> Brake | None:
     if brake is None:
         sheet.decide("No stop is calculated", "no brake is given")
         return None

@@ -20,7 +20,32 @@ class StartingFactor(Declared):
     factor: Annotated[float, Quantity("1", symbol="K_P", gt=0, le=2, about="factor K_P")]
 
 
-class MotorRules(GearService):
+class BrakingRules(Declared):
+    """How a brake stops and holds."""
+
+    cut_off: Annotated[
+        Literal["dc", "ac"],
+        Option(default="dc", source="faster, as hoists need", about="where the brake is cut off", group=_BRAKE,
+               labels={"dc": "in the DC and AC circuit", "ac": "in the AC circuit"}),
+    ]  # fmt: skip
+    stopping_tolerance: Annotated[
+        float,
+        Quantity("%", symbol="k_X", ge=0, le=1, default=0.12, source="SEW 2001, 7.9: about 12 %", group=_BRAKE,
+                 about="tolerance of the stopping distance"),
+    ]  # fmt: skip
+    accuracy: Annotated[
+        float | None,
+        Quantity("mm", symbol="X", gt=0, le=100, default=None, group=_BRAKE,
+                 about="demanded stopping accuracy to either side"),
+    ]  # fmt: skip
+    holding_reserve: Annotated[
+        float,
+        Quantity("1", symbol="k_B", ge=1, le=10, default=2.0, source="SEW 2001, 9.1: hoists take about twice",
+                 about="brake torque over the torque that holds the load", group=_BRAKE),
+    ]  # fmt: skip
+
+
+class MotorRules(BrakingRules, GearService):
     """Rules of induction motors with gear unit and brake, on the mains or on an inverter."""
 
     flywheel_inertia: Annotated[
@@ -47,26 +72,6 @@ class MotorRules(GearService):
         float | None,
         Quantity("1", symbol="eta_G", gt=0, le=1, default=None, group=_MOTOR,
                  about="efficiency of the gear unit, where its data sheet gives none"),
-    ]  # fmt: skip
-    cut_off: Annotated[
-        Literal["dc", "ac"],
-        Option(default="dc", source="faster, as hoists need", about="where the brake is cut off", group=_BRAKE,
-               labels={"dc": "in the DC and AC circuit", "ac": "in the AC circuit"}),
-    ]  # fmt: skip
-    stopping_tolerance: Annotated[
-        float,
-        Quantity("%", symbol="k_X", ge=0, le=1, default=0.12, source="SEW 2001, 7.9: about 12 %", group=_BRAKE,
-                 about="tolerance of the stopping distance"),
-    ]  # fmt: skip
-    accuracy: Annotated[
-        float | None,
-        Quantity("mm", symbol="X", gt=0, le=100, default=None, group=_BRAKE,
-                 about="demanded stopping accuracy to either side"),
-    ]  # fmt: skip
-    holding_reserve: Annotated[
-        float,
-        Quantity("1", symbol="k_B", ge=1, le=10, default=2.0, source="SEW 2001, 9.1: hoists take about twice",
-                 about="brake torque over the torque that holds the load", group=_BRAKE),
     ]  # fmt: skip
 
 
