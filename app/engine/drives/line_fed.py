@@ -249,6 +249,7 @@ def motor_inertia_of(motor: InductionMotor, brake: MotorBrake | None, sheet: She
 
 
 def brake_of(rules: BrakingRules, brake: MotorBrake | None, sheet: Sheet) -> Brake | None:
+    """The brake as it is set and cut off; None, and said so, where no stop can be calculated."""
     if brake is None:
         sheet.decide("No stop is calculated", "no brake is given")
         return None

@@ -8,8 +8,9 @@ from pydantic_core import PydanticCustomError
 
 from app.engine.diagram import Diagram, series
 from app.engine.drives.base import DriveModel, DriveResult, Given
-from app.engine.drives.parts import InductionMotorChoice
-from app.engine.drives.variator_motor import record_motor
+from app.engine.drives.mains_rules import BrakingRules
+from app.engine.drives.parts import InductionMotorChoice, MotorBrakeChoice
+from app.engine.drives.variator_motor import VariatorLine, record_motor
 from app.engine.drives.variator_range import Demand, RangeRules, VariatorCase, demand_of, record_range, torque_between
 from app.engine.environment import RATED_AMBIENT
 from app.engine.errors import EngineError
@@ -63,7 +64,7 @@ class VariableSpeedGear(Declared):
         return self
 
 
-class VariatorDrive(DriveModel):
+class VariatorDrive(BrakingRules, DriveModel):
     """A cage motor on the mains with a variable-speed gear and its gear unit."""
 
     title: ClassVar[str] = "Mechanical variable-speed gear"
@@ -105,6 +106,7 @@ class VariatorDrive(DriveModel):
     ]  # fmt: skip
     variable_speed_gear: VariableSpeedGear | None = None
     motor: InductionMotorChoice | None = None
+    brake: MotorBrakeChoice | None = None
 
     @model_validator(mode="after")
     def _corner(self) -> "VariatorDrive":
@@ -135,7 +137,10 @@ class VariatorDrive(DriveModel):
                 )  # fmt: skip
                 record_range(case, demand, factor, number, sheet)
             diagrams = (_diagram(demand, case),)
-        ratio = record_motor(given, demand, None if unit is None else unit.efficiency, sheet)
+        line = VariatorLine(
+            given=given, rules=self, demand=demand, efficiency=None if unit is None else unit.efficiency
+        )
+        ratio = record_motor(line, sheet)
         return DriveResult(ratio=ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES, diagrams=diagrams)
 
     def _corner_speed(self, states: list[LoadState]) -> float | None:

@@ -1,76 +1,141 @@
-"""The line-fed motor before a variable-speed gear: its power, and its run-up at the highest speed."""
+"""The line-fed motor before a variable-speed gear: its power, its run-up and its stop at the highest speed."""
+
+from dataclasses import dataclass
 
 from app.engine.drives.base import Given
-from app.engine.drives.mains_motion import check_slip, record_start
-from app.engine.drives.mains_rules import CHECK_NAMES
+from app.engine.drives.line_fed import MotorData, brake_of, motor_inertia_of
+from app.engine.drives.mains import running_speed
+from app.engine.drives.mains_motion import Brake, check_slip, record_brake_limit, record_start, record_stop
+from app.engine.drives.mains_rules import CHECK_NAMES, BrakingRules
 from app.engine.drives.mains_shaft import MotorSide
 from app.engine.drives.variator_range import Demand
 from app.engine.formulas import induction as run
 from app.engine.formulas.conversion import torque_before_ratio
 from app.engine.formulas.gear import ratio_for_speed
 from app.engine.formulas.variator import variator_input_power
-from app.engine.products import InductionMotor, Winding
+from app.engine.products import InductionMotor, MotorBrake, Winding
 from app.engine.sheet import Sheet
 
 SOURCE = "motor: data sheet"
+BRAKE_SOURCE = "brake: data sheet"
 
 
-def record_motor(given: Given, demand: Demand, efficiency: float | None, sheet: Sheet) -> float:
-    """Write and check the motor at the highest speed of the machine; returns the ratio set there, 1 without motor.
+@dataclass(frozen=True, kw_only=True)
+class VariatorLine:
+    """What the motor is checked against. The gear is set to the highest speed: the motor feels most of the load there.
 
-    The gear is set to its highest speed for the run-up: the external inertia on the motor shaft is largest there.
+    ``efficiency`` is that of variable-speed gear and gear unit together, None where it is not known.
     """
-    if given.load.statics.holding and abs(given.load.statics.holding) > 1e-9 * abs(given.load.statics.forward):
-        sheet.check("brake_holding", CHECK_NAMES["brake_holding"], None, None, "N m", "brake: data sheet",
-                    missing="a brake, which is not part of this drive")  # fmt: skip
-    motor: InductionMotor | None = given.product("motor")
-    if motor is None:
+
+    given: Given
+    rules: BrakingRules
+    demand: Demand
+    efficiency: float | None
+
+    @property
+    def hangs(self) -> bool:
+        """Whether gravity moves the axis when nothing holds it."""
+        statics = self.given.load.statics
+        return abs(statics.holding) > 1e-9 * max(abs(statics.forward), abs(statics.backward), 1e-12)
+
+    def sides(self, speed: float, inertia: float, efficiency: float) -> list[MotorSide]:
+        """Every state of the load on the shaft of a motor of that rated speed and inertia."""
+        return [
+            MotorSide(state=state, ratio=speed / self.demand.highest_speed, gear_efficiency=efficiency,
+                      motor_inertia=inertia, model=self.given.environment.regeneration)
+            for state in self.demand.states
+        ]  # fmt: skip
+
+
+def record_motor(line: VariatorLine, sheet: Sheet) -> float:
+    """Write and check the motor and its brake; returns the ratio at the highest speed, 1 without motor."""
+    motor: InductionMotor | None = line.given.product("motor")
+    winding = None if motor is None else motor.windings[-1]
+    if motor is None or winding is None or winding.rated_speed is None:
+        if motor is not None:
+            sheet.check("static_power", CHECK_NAMES["static_power"], None, None, "kW", SOURCE,
+                        missing="rated speed of the motor")  # fmt: skip
+        _check_holding(line, None, sheet)
         return 1.0
     with sheet.section("Motor"):
-        power = None
-        if efficiency is not None:
-            power = sheet(variator_input_power, key="motor_power", P_a=demand.power, eta_V=efficiency)
-        winding = motor.windings[-1]
-        lacking = "" if power is not None else "efficiency of the variable-speed gear"
-        sheet.check("static_power", CHECK_NAMES["static_power"], power, winding.rated_power, "kW", SOURCE,
-                    formula="variator_input_power", missing=lacking)  # fmt: skip
-        if winding.rated_speed is None:
-            return 1.0
+        _check_power(line, winding, sheet)
         ratio = sheet(ratio_for_speed, key="ratio_at_highest_speed", label="Ratio of motor to output at that speed",
-                      omega_max=winding.rated_speed, omega_L=demand.highest_speed)  # fmt: skip
-        sheet(torque_before_ratio, key="static_torque_without_gear", symbol="M_S", M=demand.highest_speed_torque,
+                      omega_max=winding.rated_speed, omega_L=line.demand.highest_speed)  # fmt: skip
+        sheet(torque_before_ratio, key="static_torque_without_gear", symbol="M_S", M=line.demand.highest_speed_torque,
               i=ratio, label="Torque of the load on the motor shaft, losses of the gears left out")  # fmt: skip
-        M_H = _run_up_torque(winding, winding.rated_speed, sheet)
-    inertia = motor.rotor_inertia_with_brake if motor.rotor_inertia_with_brake is not None else motor.rotor_inertia
-    _record_starts(given, demand, (M_H, inertia, efficiency), winding.rated_speed, sheet)
-    return ratio
-
-
-def _run_up_torque(winding: Winding, rated_speed: float, sheet: Sheet) -> float | None:
-    """Mean run-up torque [N m], None where the source gives none."""
-    M_N = sheet(run.rated_torque, P_N=winding.rated_power, n_N=rated_speed)
-    if winding.run_up_torque is not None:
-        return winding.run_up_torque
-    if winding.run_up_torque_ratio is None:
-        return None
-    return sheet(run.run_up_torque, r_H=winding.run_up_torque_ratio, M_N=M_N)
-
-
-def _record_starts(
-    given: Given, demand: Demand, known: tuple[float | None, float | None, float | None], speed: float, sheet: Sheet
-) -> None:
-    """Run-up in every state; ``known``: run-up torque and inertia of the motor, efficiency of the gears."""
-    M_H, inertia, efficiency = known
-    if M_H is None or inertia is None or efficiency is None:
+        data = _motor_data(winding, winding.rated_speed, sheet)
+        brake: MotorBrake | None = line.given.product("brake")
+        inertia, setting = motor_inertia_of(motor, brake, sheet), brake_of(line.rules, brake, sheet)
+    known = (data.run_up, inertia, line.efficiency)
+    if data.run_up is None or inertia is None or line.efficiency is None:
         words = ("run-up torque of the motor", "inertia of the motor", "efficiency of the variable-speed gear")
         lacking = ", ".join(word for word, value in zip(words, known, strict=True) if value is None)
         sheet.check("run_up_torque", CHECK_NAMES["run_up_torque"], None, None, "N m", SOURCE, missing=lacking)
-        return
-    for state in demand.states:
-        side = MotorSide(state=state, ratio=speed / demand.highest_speed, gear_efficiency=efficiency,
-                         motor_inertia=inertia, model=given.environment.regeneration)  # fmt: skip
-        with sheet.section(f"Run-up: {state.label}"):
+    else:
+        sides = line.sides(winding.rated_speed, inertia, line.efficiency)
+        _record_starts(data, data.run_up, sides, sheet)
+        if setting is not None:
+            _record_stops(line, data, setting, sides, sheet)
+    _check_holding(line, ratio, sheet)
+    return ratio
+
+
+def _check_power(line: VariatorLine, winding: Winding, sheet: Sheet) -> None:
+    power = None
+    if line.efficiency is not None:
+        power = sheet(variator_input_power, key="motor_power", P_a=line.demand.power, eta_V=line.efficiency)
+    lacking = "" if power is not None else "efficiency of the variable-speed gear"
+    sheet.check("static_power", CHECK_NAMES["static_power"], power, winding.rated_power, "kW", SOURCE,
+                formula="variator_input_power", missing=lacking)  # fmt: skip
+
+
+def _motor_data(winding: Winding, rated_speed: float, sheet: Sheet) -> MotorData:
+    sync = sheet(run.synchronous_speed, f_1=winding.frequency, z_p=winding.poles)
+    M_N = sheet(run.rated_torque, P_N=winding.rated_power, n_N=rated_speed)
+    M_H = winding.run_up_torque
+    if M_H is None and winding.run_up_torque_ratio is not None:
+        M_H = sheet(run.run_up_torque, r_H=winding.run_up_torque_ratio, M_N=M_N)
+    return MotorData(winding, rated_speed, sync, M_N, M_H)
+
+
+def _record_starts(data: MotorData, M_H: float, sides: list[MotorSide], sheet: Sheet) -> None:
+    """Run-up in every state of the load."""
+    for side in sides:
+        with sheet.section(f"Run-up: {side.state.label}"):
             side.record(sheet)
-            started = record_start(sheet, side, M_H, speed)
+            started = record_start(sheet, side, M_H, running_speed(data, side))
             if started is not None:
                 check_slip(sheet, side, started.acceleration, "slip_starting")
+
+
+def _record_stops(line: VariatorLine, data: MotorData, brake: Brake, sides: list[MotorSide], sheet: Sheet) -> None:
+    """Stop in every state of the load."""
+    for side in sides:
+        with sheet.section(f"Braking: {side.state.label}"):
+            speed = running_speed(data, side)
+            found = record_stop(sheet, side, brake, speed, falls=line.hangs)
+            if found is None:
+                continue
+            check_slip(sheet, side, found.deceleration, "slip_braking")
+            record_brake_limit(sheet, side, brake, speed)
+            if line.rules.accuracy is not None and side.state.travel is not None:
+                sheet.check(f"stopping_accuracy_{side.state.key}", f"{CHECK_NAMES['stopping_accuracy']}: "
+                            f"{side.state.label}", found.distance * brake.tolerance, line.rules.accuracy, "mm",
+                            "own demand", formula="stopping_accuracy")  # fmt: skip
+
+
+def _check_holding(line: VariatorLine, ratio: float | None, sheet: Sheet) -> None:
+    """Check the brake against the torque that holds the load, where gravity pulls."""
+    if not line.hangs:
+        return
+    brake: MotorBrake | None = line.given.product("brake")
+    if ratio is None or brake is None or brake.torque is None:
+        sheet.check("brake_holding", CHECK_NAMES["brake_holding"], None, None, "N m", BRAKE_SOURCE,
+                    missing="brake with its torque, and speed of the motor")  # fmt: skip
+        return
+    with sheet.section("Brake"):
+        label = "Torque that holds the load, on the motor shaft"
+        torque = sheet(torque_before_ratio, key="holding_torque_on_motor", symbol="M_hold", label=label, i=ratio,
+                       M=line.given.load.statics.holding)  # fmt: skip
+        sheet.check("brake_holding", CHECK_NAMES["brake_holding"], abs(torque) * line.rules.holding_reserve,
+                    brake.torque, "N m", BRAKE_SOURCE, formula="torque_before_ratio")  # fmt: skip

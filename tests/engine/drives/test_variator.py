@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from app.engine.drives.base import DriveResult, Given
+from app.engine.drives.parts import parts_of
 from app.engine.drives.variator import VariatorDrive
 from app.engine.drives.variator_range import VariatorCase, torque_between
 from app.engine.environment import Environment
@@ -48,7 +49,7 @@ def result(
     load: Load, environment: dict[str, object] | None = None, **more: object
 ) -> tuple[Sheet, DriveResult]:  # fmt: skip
     drive = VariatorDrive.model_validate({"speed_range": 3, "variable_speed_gear": UNIT, **more})
-    products = {} if drive.motor is None or drive.motor.typed is None else {"motor": drive.motor.typed}
+    products = {role: part.typed for role, part in parts_of(drive) if part.typed is not None}
     sheet = Sheet()
     profile = ConstantMotion.model_validate({"speed_m_s": 0.6}).solve(Sheet())
     asked = Given(load, profile, products, Environment.model_validate(environment or {}))
@@ -75,6 +76,16 @@ def test_the_motor_of_the_handbook_runs_up_in_1_2_s():
     assert sheet.value("laden_forward_external_inertia") == pytest.approx(0.17407, rel=1e-4)
     assert sheet.value("laden_forward_run_up_time") == pytest.approx(1.19866, rel=1e-4)
     assert sheet.value("laden_forward_run_up_acceleration") == pytest.approx(0.50056, rel=1e-4)
+
+
+def test_the_brake_stops_with_the_help_of_the_load():
+    """40 N m: (0.01102 + 0.174073 * 0.76) kg m2 * 148.70 rad/s / (40 + 20.297 * 0.76) N m = 0.3845 s."""
+    brake = {"own": {"torque_nm": 40, "application_time_dc_ms": 30}}
+    _, checks = run(conveyor(holding=100.0), motor=MOTOR, brake=brake, accuracy_mm=1)
+    still, _ = run(conveyor(), motor=MOTOR, brake=brake)
+    assert still.value("laden_forward_braking_time") == pytest.approx(0.3845, rel=1e-3)
+    assert checks["brake_holding"].demanded == pytest.approx(2 * 100 / 39.0343, rel=1e-4)
+    assert checks["stopping_accuracy_laden_forward"].verdict == Verdict.FAILS
 
 
 def test_constant_power_asks_three_times_the_torque_at_a_third_of_the_speed():
