@@ -21,7 +21,7 @@ from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Declared, Option, Quantity, declaration
 from app.engine.sheet import Sheet
 from tests.engine.mechanisms import laws
-from tests.engine.mechanisms.laws import loaded
+from tests.engine.mechanisms.laws import AnyTable, loaded
 
 KINDS = sorted(mechanisms())
 EVERY = pytest.mark.parametrize("kind", KINDS)
@@ -272,7 +272,7 @@ def test_steady_torques_cover_every_steady_segment(kind: str, data: st.DataObjec
 @HARD
 @given(data=st.data(), model=MODELS)
 def test_every_number_on_the_sheet_is_finite_and_the_extreme_stands_there(kind: str, data: st.DataObject, model: str):
-    mechanism, motion, sheet = data.draw(drawn(kind, WORST)), data.draw(motions(kind)), Sheet()
+    mechanism, motion, sheet = data.draw(drawn(kind, WORST)), data.draw(motions(kind)), Sheet(tables=AnyTable())
     load = mechanism.load(motion, Environment.si(regeneration=model), sheet)
     assert all(math.isfinite(step.value) for step in sheet.steps)
     top = float(np.abs(load.cycle.torque).max())
