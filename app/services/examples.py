@@ -18,6 +18,7 @@ from app.engine.quantity import from_si
 from app.engine.sheet import Sheet
 from app.services.calculation import CalculationService
 from app.services.errors import InvalidInputError, NotFoundError
+from app.services.multi_axis import MultiAxisService
 from app.services.reading import read
 from app.services.sizing import Headline, SizingService
 
@@ -30,7 +31,7 @@ Produced = Literal["ok", "deviates", "missing"]
 
 
 class Computed(Protocol):
-    """What answers a request of an example: an axis, a calculation with formulas."""
+    """What answers a request of an example: an axis, several axes on one supply, a calculation with formulas."""
 
     @property
     def sheet(self) -> Sheet:
@@ -162,6 +163,7 @@ class ExampleService:
     def __init__(self, sizing: SizingService, folder: Path) -> None:
         self._sizing = sizing
         self._calculations = CalculationService()
+        self._multi_axis = MultiAxisService(sizing)
         self._folder = folder
 
     @cached_property
@@ -200,6 +202,8 @@ class ExampleService:
         """Answer one request, of whatever kind it is."""
         if "calculation" in request:
             return self._calculations.calculate(request)
+        if "axes" in request:
+            return self._multi_axis.size(request)
         return self._sizing.size(request)
 
     def run_all(self) -> list[Example]:

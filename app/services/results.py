@@ -15,6 +15,7 @@ from app.engine.quantity import from_si, si_factor
 from app.engine.sheet import Assumption, Check, Sheet, Step
 from app.services.calculation import Calculation
 from app.services.examples import Example, ExampleRow
+from app.services.multi_axis import MultiAxis
 from app.services.selection import Explanation, RankedCandidate, SelectionOutcome
 from app.services.sizing import Parts, Sizing
 from app.services.version import ENGINE_VERSION
@@ -48,6 +49,21 @@ def sizing_json(sizing: Sizing) -> bytes:
 def calculation_json(calculation: Calculation) -> bytes:
     """The answer to a calculation with formulas."""
     return to_json({"engine_version": ENGINE_VERSION, "steps": [_step_dict(step) for step in calculation.sheet.steps]})
+
+
+def multi_axis_json(found: MultiAxis) -> bytes:
+    """The answer to several axes on one supply."""
+    return to_json({
+        "engine_version": ENGINE_VERSION, "verdict": str(found.verdict),
+        "headlines": [
+            {"key": h.key, "label": h.label, "symbol": h.symbol, "value": from_si(h.value, h.unit), "unit": h.unit,
+             "value_si": h.value}
+            for h in found.headlines
+        ],
+        "axes": [{"name": one.asked.name, "verdict": str(one.verdict)} for one in found.sizings],
+        "checks": [check_dict(check) for check in found.sheet.checks],
+        **_sheet_dict(found.sheet),
+    })  # fmt: skip
 
 
 def selection_json(outcome: SelectionOutcome) -> bytes:

@@ -117,6 +117,11 @@ class SizingService:
     def __init__(self, catalogue: CatalogueCache) -> None:
         self._catalogue = catalogue
 
+    @property
+    def catalogue(self) -> CatalogueCache:
+        """The catalogue that products are named from."""
+        return self._catalogue
+
     def size(self, raw: Any) -> Sizing:
         """Calculate a request as it was typed. Raises InvalidInputError with the path of every refused value."""
         return self.calculate(read_sizing(raw))

@@ -156,6 +156,26 @@ class SizingAnswer(Answer):
     load_cycle: LoadCycleAnswer
 
 
+class SupplyAxisAnswer(Answer):
+    """One axis on a supply."""
+
+    name: str
+    verdict: VerdictName
+
+
+class SupplyAnswer(Answer):
+    """Several axes on one supply, calculated."""
+
+    engine_version: str
+    verdict: VerdictName
+    headlines: list[HeadlineAnswer]
+    axes: list[SupplyAxisAnswer]
+    checks: list[CheckAnswer]
+    steps: list[StepAnswer]
+    assumptions: list[AssumptionAnswer]
+    decisions: list[DecisionAnswer]
+
+
 class CalculationAnswer(Answer):
     """Formulas, evaluated."""
 

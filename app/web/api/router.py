@@ -13,11 +13,12 @@ from app.web.api import (
     reports,
     selections,
     sizings,
+    supplies,
 )
 from app.web.errors import problems
 
 router = APIRouter(prefix="/api/v1", responses=problems(400, 500))
 for part in (
-    mechanisms, sizings, charts, selections, calculations, catalogue, projects, examples, formulas, reports,
+    mechanisms, sizings, supplies, charts, selections, calculations, catalogue, projects, examples, formulas, reports,
 ):  # fmt: skip
     router.include_router(part.router)

@@ -118,7 +118,9 @@ def request_views(example: Example) -> list[RequestView]:
 
 def _url(raw: Mapping[str, Any], query: str) -> str:
     """Where a request is opened: an axis in the workbench, formulas in the calculation."""
-    return f"/calculation?{query}" if "calculation" in raw else f"/workbench/{raw['mechanism']['kind']}?{query}"
+    if "calculation" in raw:
+        return f"/calculation?{query}"
+    return f"/supply?{query}" if "axes" in raw else f"/workbench/{raw['mechanism']['kind']}?{query}"
 
 
 def _number(value: float | None) -> str:

@@ -1,0 +1,138 @@
+"""Several axes on one DC link: what they take and return on a common time axis, and how much they exchange."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from app.engine.cycle import FloatArray
+from app.engine.diagram import Diagram, Series, series
+from app.engine.resistor import PowerSegment
+
+SHIFTS = 240
+"""Shifts of each axis that are tried for the worst phase."""
+
+
+@dataclass(frozen=True)
+class AxisPower:
+    """Power of one axis over its cycle: straight in each segment; arrays of shape (n,) unless said."""
+
+    name: str
+    time: FloatArray
+    """Segment borders from 0, shape (n + 1,) [s]"""
+    start: FloatArray
+    """Power at the start of each segment [W], negative where it is returned"""
+    end: FloatArray
+    label: tuple[str, ...]
+    ramp: tuple[bool, ...]
+    """Whether the axis slows down in each segment"""
+    shift: float = 0.0
+    """By how much the cycle begins later than the common one [s]"""
+
+    @property
+    def cycle_time(self) -> float:
+        """[s]"""
+        return float(self.time[-1])
+
+    def repeated(self, times: int) -> "AxisPower":
+        """The same over several cycles."""
+        offsets = np.arange(times) * self.cycle_time
+        borders = np.concatenate([self.time[:-1] + offset for offset in offsets] + [[times * self.cycle_time]])
+        return replace(self, time=borders, start=np.tile(self.start, times), end=np.tile(self.end, times),
+                       label=self.label * times, ramp=self.ramp * times)  # fmt: skip
+
+    def borders(self) -> FloatArray:
+        """Segment borders on the common time axis, within one cycle."""
+        return np.unique(np.mod(self.time + self.shift, self.cycle_time).round(12))
+
+    def at(self, moments: FloatArray) -> FloatArray:
+        """Power at moments inside segments."""
+        inside = np.mod(moments - self.shift, self.cycle_time)
+        k = np.clip(np.searchsorted(self.time, inside, side="right") - 1, 0, len(self.start) - 1)
+        share = (inside - self.time[k]) / (self.time[k + 1] - self.time[k])
+        found: FloatArray = self.start[k] + (self.end[k] - self.start[k]) * share
+        return found
+
+    def segments(self) -> list[PowerSegment]:
+        """The axis alone, segment by segment."""
+        width = np.diff(self.time)
+        return [
+            PowerSegment(f"{self.name}: {self.label[k]}", float(width[k]), float(self.start[k]), float(self.end[k]),
+                         self.ramp[k])
+            for k in range(len(width))
+        ]  # fmt: skip
+
+
+def common_cycles(axes: Sequence[AxisPower]) -> list[AxisPower] | None:
+    """All axes over the longest cycle; None where it is no whole multiple of the others."""
+    longest = max(axis.cycle_time for axis in axes)
+    found = []
+    for axis in axes:
+        times = round(longest / axis.cycle_time)
+        if abs(times * axis.cycle_time - longest) > 1e-6 * longest:
+            return None
+        found.append(axis.repeated(times) if times > 1 else axis)
+    return found
+
+
+def net_segments(axes: Sequence[AxisPower]) -> list[PowerSegment]:
+    """The sum of all axes, segment by segment: what one of them returns another one may take."""
+    total = axes[0].cycle_time
+    borders = np.unique(np.concatenate([[0.0, total], *[axis.borders() for axis in axes]]).round(12))
+    borders = borders[np.concatenate(([True], np.diff(borders) > 1e-9))]
+    found = []
+    for start, end in pairwise(borders.tolist()):
+        inner = (end - start) * 1e-6
+        first, last = (float(sum(axis.at(np.array([at]))[0] for axis in axes)) for at in (start + inner, end - inner))
+        found.append(PowerSegment("all axes", float(end - start), first, last))
+    return found
+
+
+def returning_time(axes: Sequence[AxisPower]) -> float:
+    """Time of a cycle in which at least one axis returns power, exchange left out [s]."""
+    total = axes[0].cycle_time
+    borders = np.unique(np.concatenate([[0.0, total], *[axis.borders() for axis in axes]]))
+    middle = (borders[:-1] + borders[1:]) / 2
+    returns = np.zeros(len(middle), dtype=bool)
+    for axis in axes:
+        returns |= axis.at(middle) < 0
+    return float(np.diff(borders)[returns].sum())
+
+
+def worst_phase(axes: Sequence[AxisPower]) -> tuple[list[AxisPower], float]:
+    """Shifts at which the axes together take most power, and that power [W]; the first axis stays where it is.
+
+    One axis after another is shifted over the whole cycle; with two axes that finds the worst of all phases.
+    """
+    placed = [axes[0]]
+    for axis in axes[1:]:
+        shifts = np.linspace(0.0, axis.cycle_time, SHIFTS, endpoint=False)
+        trials = [replace(axis, shift=float(shift)) for shift in {*shifts.tolist(), *_meetings(placed, axis)}]
+        placed.append(max(trials, key=lambda one: _peak([*placed, one])))
+    return placed, _peak(placed)
+
+
+def _peak(axes: Sequence[AxisPower]) -> float:
+    return max(max(one.start, one.end) for one in net_segments(axes))
+
+
+def _meetings(placed: Sequence[AxisPower], axis: AxisPower) -> list[float]:
+    """Shifts at which the strongest moment of an axis falls on that of one that is placed."""
+    own = float(axis.time[int(np.argmax(axis.end)) + 1])
+    return [
+        float(np.mod(other.time[int(np.argmax(other.end)) + 1] + other.shift - own, axis.cycle_time))
+        for other in placed
+    ]
+
+
+def power_diagram(axes: Sequence[AxisPower]) -> Diagram:
+    """Power in the DC link over time: each axis and the sum."""
+    total = axes[0].cycle_time
+    borders = np.unique(np.concatenate([[0.0, total], *[axis.borders() for axis in axes]]))
+    inner = np.minimum(np.diff(borders) * 1e-4, 1e-6)
+    moments = np.column_stack([borders[:-1] + inner, borders[1:] - inner]).ravel()
+    shown: list[Series] = [series(axis.name, moments, axis.at(moments)) for axis in axes]
+    if len(axes) > 1:
+        shown.append(series("all axes", moments, sum(axis.at(moments) for axis in axes), "sum"))
+    return Diagram("dc_link", "Power in the DC link", "time", "s", "power", "kW", tuple(shown))
