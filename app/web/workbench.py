@@ -17,6 +17,7 @@ from app.reports.numbers import show
 from app.reports.sheet_view import VERDICT_ICONS, CheckView, SheetView, sheet_view
 from app.services.errors import FieldError, InvalidInputError
 from app.services.mechanisms import MechanismKind
+from app.services.reports import ROLES
 from app.services.requests import SizingRequest
 from app.services.sizing import Sizing, SizingService
 from app.web.alternatives import AlternativesView
@@ -90,6 +91,8 @@ class PartLine:
     """A chosen product."""
 
     role: str
+    title: str
+    """What it is called, for the reader."""
     name: str
     source: str
 
@@ -241,7 +244,7 @@ def _result(
         checks=tuple(check for check in view.checks if check.verdict != Verdict.NOT_CHECKED),
         unchecked=tuple(check for check in view.checks if check.verdict == Verdict.NOT_CHECKED),
         parts=tuple(
-            PartLine(role, f"{product.manufacturer} {product.model}".strip(), product.source)
+            PartLine(role, ROLES.get(role, role), f"{product.manufacturer} {product.model}".strip(), product.source)
             for role, product in sizing.parts.chosen()
         ),
         sheet=view,

@@ -10,8 +10,8 @@ from app.engine.diagram import Diagram, series
 
 def test_values_are_shown_in_the_units_of_the_diagram() -> None:
     """Half a turn is 180 degrees; pi / 30 rad/s is 1 rpm."""
-    diagram = Diagram("d", "Speed over angle", "angle", "deg", "speed", "rpm",
-                      (series("exact", [0, math.pi], [0, math.pi / 30]), series("limit", [0, math.pi], [1, 1], "limit")))  # fmt: skip
+    lines = (series("exact", [0, math.pi], [0, math.pi / 30]), series("limit", [0, math.pi], [1, 1], "limit"))
+    diagram = Diagram("d", "Speed over angle", "angle", "deg", "speed", "rpm", lines)
     figure = diagram_figure(diagram)
     assert figure["data"][0]["x"] == [0, 180]
     assert figure["data"][0]["y"] == pytest.approx([0, 1])

@@ -15,6 +15,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "min": lambda a, b: np.where(a < b, a, b) if np.ndim(a) or np.ndim(b) else min(a, b),
     "max": lambda a, b: np.where(a > b, a, b) if np.ndim(a) or np.ndim(b) else max(a, b),
     "sin": np.sin, "cos": np.cos, "tan": np.tan, "arctan": np.arctan, "sgn": np.sign,
+    "ln": np.log,
 }  # fmt: skip
 COMPARISONS: dict[str, Callable[[Any, Any], Any]] = {
     "<": lambda a, b: a < b, "≤": lambda a, b: a <= b, ">": lambda a, b: a > b, "≥": lambda a, b: a >= b,

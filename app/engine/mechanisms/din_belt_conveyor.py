@@ -34,9 +34,7 @@ class DinBeltConveyor(Mechanism):
     motion_kind: ClassVar[Literal["linear", "rotary"]] = "linear"
 
     kind: Literal["din_belt_conveyor"] = "din_belt_conveyor"
-    mass_flow: Annotated[
-        float, Quantity("t/h", symbol="m_dot", gt=0, le=1e5, group=GOODS, about="goods per time")
-    ]
+    mass_flow: Annotated[float, Quantity("t/h", symbol="m_dot", gt=0, le=1e5, group=GOODS, about="goods per time")]
     belt_speed: Annotated[
         float, Quantity("m/s", symbol="v_N", gt=0, le=50, group=GOODS, about="speed of the belt at that mass flow")
     ]

@@ -7,7 +7,8 @@ from fastapi import APIRouter, Path, Query
 from app.catalog.browse import BrowseQuery
 from app.catalog.filters import ProductFilter
 from app.catalog.schema import ColumnSpec
-from app.web.api.models import ColumnAnswer, EditionAnswer, KindAnswer, Page, ProductAnswer, ProductPage
+from app.web.api.library_models import ColumnAnswer, EditionAnswer, KindAnswer, ProductAnswer, ProductPage
+from app.web.api.models import Page
 from app.web.deps import Browsing, Limit, Offset
 from app.web.errors import problems
 

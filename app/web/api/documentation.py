@@ -7,12 +7,16 @@ from fastapi.openapi.utils import get_openapi
 from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
 
+from app.services.calculation import CalculationRequest
 from app.services.documents import ProjectDocument
+from app.services.multi_axis import MultiAxisRequest
 from app.services.requests import SelectionRequest, SizingRequest
 from app.services.version import ENGINE_VERSION
 from app.web.api.models import ExplanationRequest
 
-BODIES: tuple[type[BaseModel], ...] = (SizingRequest, SelectionRequest, ExplanationRequest, ProjectDocument)
+BODIES: tuple[type[BaseModel], ...] = (
+    SizingRequest, SelectionRequest, ExplanationRequest, ProjectDocument, MultiAxisRequest, CalculationRequest,
+)  # fmt: skip
 _TEMPLATE = "#/components/schemas/{model}"
 
 

@@ -6,7 +6,8 @@ from fastapi import APIRouter, Path
 
 from app.services.examples import ExampleFile
 from app.services.results import example_dict
-from app.web.api.models import ExampleAnswer, ExampleSummary, Page
+from app.web.api.library_models import ExampleAnswer, ExampleSummary
+from app.web.api.models import Page
 from app.web.deps import Examples, Limit, Offset
 from app.web.errors import problems
 

@@ -6,7 +6,8 @@ from fastapi import APIRouter, Path, Query
 
 from app.reports import book
 from app.services.errors import NotFoundError
-from app.web.api.models import FormulaAnswer, FormulaArgument, FormulaSummary, Page
+from app.web.api.library_models import FormulaAnswer, FormulaArgument, FormulaSummary
+from app.web.api.models import Page
 from app.web.deps import Limit, Offset
 from app.web.errors import problems
 

@@ -7,7 +7,8 @@ from fastapi import APIRouter, Path, Query, Response
 from app.services.documents import ProjectDocument
 from app.services.projects import OpenedProject, ProjectState
 from app.web.api.documentation import json_body
-from app.web.api.models import ComparisonAnswer, NewProjectAnswer, Page, ProjectAnswer, RevisionAnswer
+from app.web.api.library_models import ComparisonAnswer, NewProjectAnswer, ProjectAnswer, RevisionAnswer
+from app.web.api.models import Page
 from app.web.deps import LARGEST_VERSION, IfMatch, JsonBody, Limit, Offset, Projects
 from app.web.errors import problems
 
