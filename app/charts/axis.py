@@ -7,7 +7,7 @@ from app.charts.diagram import diagram_figure
 from app.charts.figure import Figure, Translate
 from app.charts.torque_speed import torque_speed_figure
 from app.engine.drives.base import DriveResult
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 
 
 def axis_figures(

@@ -16,7 +16,7 @@ from app.engine.formulas.conversion import speed_before_ratio, torque_before_rat
 from app.engine.formulas.duty import equivalent_output_torque, mean_speed
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.gear import emergency_torque_by_factor, emergency_torque_of_brake, peak_output_torque
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.products import GearUnit, ServoGearUnit, ServoMotor
 from app.engine.sheet import Sheet
 

@@ -28,8 +28,9 @@ from app.engine.formulas.optimum import (
     solid_pulleys_inertia,
     speed_reduction,
 )
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import refused
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Declared, Option, Quantity
 from app.engine.sheet import Sheet
@@ -183,7 +184,9 @@ def optimum(
         return None
     subtracted = options.resistances == "subtracted"
     _decide_torque(sheet, subtracted, options.accelerating_torque is not None)
-    if not isinstance(mechanism, HasTransmission):
+    if isinstance(mechanism, HasTransmission) and mechanism.has_stage:
+        sheet.decide("Only the ratio is sought", "a stage or further bodies stand between the mechanism and the drive")
+    if not isinstance(mechanism, HasTransmission) or mechanism.has_stage:
         opposing = load.statics.forward / gear_efficiency if subtracted else 0.0
         inertia = load.cycle.inertia / (gear_efficiency if subtracted else 1.0)
         return _ratio_only(sheet, torque, opposing, drive_inertia, inertia)

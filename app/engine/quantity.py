@@ -347,12 +347,20 @@ def declaration(info: FieldInfo) -> Declaration | None:
     return next((item for item in info.metadata if isinstance(item, Declaration)), None)
 
 
+def in_shown_order(model: type[BaseModel]) -> list[tuple[str, FieldInfo]]:
+    """Fields of a model by attribute: in order of declaration, what its base brings along last."""
+    last = model.shown_last if issubclass(model, Declared) else frozenset()
+    return sorted(model.model_fields.items(), key=lambda field: field[0] in last)
+
+
 class Declared(BaseModel):
     """Base of every input model: names carry units at the border, attributes are SI, nothing unknown is accepted."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, hide_input_in_errors=True)
 
     title: ClassVar[str] = ""
+    shown_last: ClassVar[frozenset[str]] = frozenset()
+    """Attributes that stand behind all others wherever inputs are listed: what a base class brings along."""
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         """Give each declared field its border name and its default before pydantic collects the fields."""
@@ -376,8 +384,8 @@ class Declared(BaseModel):
 
     @classmethod
     def declarations(cls) -> Iterator[tuple[str, FieldInfo, Declaration]]:
-        """Yield (attribute, field, declaration) of every declared field in order of declaration."""
-        for name, info in cls.model_fields.items():
+        """Yield (attribute, field, declaration) of every declared field in the order in which they are shown."""
+        for name, info in in_shown_order(cls):
             found = declaration(info)
             if found is not None:
                 yield name, info, found

@@ -17,7 +17,7 @@ from app.engine.drives.rules import CHECK_NAMES, ServoRules
 from app.engine.drives.servo import check_servo
 from app.engine.drives.servo_terms import ServoTerms, servo_terms
 from app.engine.environment import Environment
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.sheet import ROUNDING, Check, Sheet
 
 Ranking = Literal["utilisation", "mass", "rated_torque", "inertia_match"]

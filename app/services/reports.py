@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from app.charts import axis_figures, svg
-from app.engine.quantity import Declared, Quantity, declaration
+from app.engine.quantity import Declared, Quantity, declaration, in_shown_order
 from app.reports.numbers import show
 from app.reports.pdf import Chart, Report, Table, report_pdf
 from app.services.sizing import Sizing
@@ -63,8 +63,8 @@ def _title_block(sizing: Sizing, translate: Translate) -> Iterator[tuple[str, st
 
 
 def _inputs(model: Declared, translate: Translate) -> Iterator[tuple[str, str, str]]:
-    """Every given value in the order of the declarations, nested parts included."""
-    for name, info in type(model).model_fields.items():
+    """Every given value in the order in which inputs are shown, nested parts included."""
+    for name, info in in_shown_order(type(model)):
         value, found = getattr(model, name), declaration(info)
         if isinstance(value, Declared):
             yield from _inputs(value, translate)

@@ -10,7 +10,7 @@ from app.engine.drives.base import DriveResult, Given
 from app.engine.drives.parts import Part, parts_of
 from app.engine.drives.servo import ServoDriveModel, ServoResult
 from app.engine.errors import EngineError
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.optimum import OptimumResult, optimum
 from app.engine.products import Product

@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from app.engine.quantity import Declaration, Option, Quantity, declaration, from_si
+from app.engine.quantity import Declaration, Option, Quantity, declaration, from_si, in_shown_order
 from app.reports.symbols import read as read_symbol
 from app.services.errors import FieldError
 from app.web.form_data import GIVEN, NONE, selected_member, text_of
@@ -188,7 +188,7 @@ def part_view(model: type[BaseModel], raw: Any, reader: Reader, name: str = "", 
     groups: dict[str, list[FieldView]] = {}
     lists: list[ListView] = []
     parts: list[PartView | ChoiceView] = []
-    for attribute, info in model.model_fields.items():
+    for attribute, info in in_shown_order(model):
         key = border(attribute, info)
         path, typed = (f"{name}.{key}" if name else key), values.get(key)
         found, row = declaration(info), row_of(info)

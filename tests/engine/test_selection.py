@@ -13,7 +13,7 @@ from app.engine.cycle import LoadCycle
 from app.engine.drives import servo_terms
 from app.engine.drives.rules import CHECK_NAMES, ServoRules
 from app.engine.environment import Environment
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.products import ServoGearUnit, ServoMotor
 from app.engine.selection import DIRECT, NOT_CHECKED, Candidate, Ranking, Selection, select
 from app.engine.sheet import Verdict

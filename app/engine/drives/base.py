@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol
 from app.engine.cycle import FloatArray
 from app.engine.diagram import Diagram
 from app.engine.environment import Environment
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.products import Product
 from app.engine.quantity import Declared

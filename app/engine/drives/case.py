@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from app.engine.drives.limits import ServoLimits
 from app.engine.drives.rules import CHECK_NAMES, ServoRules
 from app.engine.drives.shaft import MotorShaft
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.products import ServoMotor
 from app.engine.sheet import Sheet
 

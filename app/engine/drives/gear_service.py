@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from app.engine.formulas import gear_service as formulas
 from app.engine.formulas.efficiency import retrograde_efficiency
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.products import GearUnit
 from app.engine.quantity import Declared, Option, Quantity
 from app.engine.sheet import Sheet

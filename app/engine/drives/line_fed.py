@@ -14,7 +14,7 @@ from app.engine.formulas.braking import brake_torque_ratio
 from app.engine.formulas.conversion import torque_before_ratio, travel_before_ratio
 from app.engine.formulas.efficiency import driving_stage_torque, retrograde_efficiency, returning_stage_torque
 from app.engine.formulas.servo import shaft_power
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.products import GearUnit, InductionMotor, MotorBrake, Winding
 from app.engine.sheet import Sheet
 

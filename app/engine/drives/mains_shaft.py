@@ -17,7 +17,7 @@ from app.engine.formulas.efficiency import (
     returning_stage_torque,
 )
 from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
-from app.engine.mechanisms.base import LoadState
+from app.engine.mechanisms.load import LoadState
 from app.engine.sheet import Sheet
 
 

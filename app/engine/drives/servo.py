@@ -26,7 +26,7 @@ from app.engine.formulas.gear import highest_load_speed, ratio_for_inertia_limit
 from app.engine.formulas.gear_service import positioning_accuracy
 from app.engine.gear import Transmission, check_gear_unit
 from app.engine.inverter import Currents, check_drive, record_currents
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.products import ServoDrive, ServoGearUnit, ServoMotor
 from app.engine.resistor import record_braking
 from app.engine.sheet import Check, Sheet

@@ -35,7 +35,7 @@ from app.engine.formulas.servo import (
     lachman_motor_speed,
     lachman_peak_torque,
 )
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 
 MANY_LINES = 24
 """Lines of an envelope from which on it is looked up instead of drawn line by line."""

@@ -12,7 +12,7 @@ from app.engine.formulas.duty import effective_torque, mean_speed, mean_torque
 from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
 from app.engine.formulas.servo import motor_acceleration, motor_torque, peak_torque, shaft_power
 from app.engine.gear import Transmission
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.resistor import PowerSegment
 from app.engine.sheet import Sheet
 

@@ -15,7 +15,7 @@ from app.engine.drives.variator_range import Demand, RangeRules, VariatorCase, d
 from app.engine.environment import RATED_AMBIENT
 from app.engine.errors import EngineError
 from app.engine.formulas import variator as formulas
-from app.engine.mechanisms.base import LoadState
+from app.engine.mechanisms.load import LoadState
 from app.engine.quantity import Declared, Option, Quantity
 from app.engine.sheet import Sheet
 

@@ -9,7 +9,7 @@ from app.engine.formulas import variator as formulas
 from app.engine.formulas.conversion import linear_speed
 from app.engine.formulas.efficiency import RegenerationModel, driving_stage_torque, returning_stage_torque
 from app.engine.formulas.servo import shaft_power
-from app.engine.mechanisms.base import LoadState
+from app.engine.mechanisms.load import LoadState
 from app.engine.sheet import Sheet
 
 Law = Literal["constant_torque", "constant_power", "both"]

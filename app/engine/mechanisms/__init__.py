@@ -4,7 +4,8 @@ import importlib
 import pkgutil
 from collections.abc import Mapping
 
-from app.engine.mechanisms.base import Load, Mechanism, Statics
+from app.engine.mechanisms.base import Mechanism
+from app.engine.mechanisms.load import Load, Statics
 
 
 def mechanisms() -> Mapping[str, type[Mechanism]]:

@@ -21,9 +21,10 @@ from app.engine.formulas.inertia import linear_mass_inertia
 from app.engine.formulas.motion import triangle_speed
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces, viscous_friction
 from app.engine.formulas.screw import lead_angle, screw_friction_by_diameter, thread_efficiency
-from app.engine.mechanisms.base import Load, LoadState, Mechanism, Statics
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import GuidedAxis, refused, without_zeros
 from app.engine.mechanisms.linear_axis import holding_forces
+from app.engine.mechanisms.load import Load, LoadState, Statics
 from app.engine.mechanisms.phases import record_phases
 from app.engine.mechanisms.screw_shaft import ScrewShaft
 from app.engine.mechanisms.states import steady_runs
@@ -157,7 +158,7 @@ class BallScrew(ScrewShaft, GuidedAxis, Mechanism):
             idle.add("screw_friction_torque")
         yield from (found for found in super().defaults_taken() if found[0] not in idle)
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the screw, with stiffness, speed and buckling of the screw checked on the way."""
         payload = float(motion.payload.max())
         with sheet.section("Forces along the axis"):

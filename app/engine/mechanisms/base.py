@@ -1,97 +1,30 @@
 """What a mechanism is: a declared model that turns a motion into a load cycle and writes every step to the sheet.
 
 A new mechanism is one new file in this package. It derives from :class:`Mechanism`, sets ``kind`` (a Literal with
-default), the class variables below, and implements :meth:`Mechanism.load`.
+default), the class variables below, and implements :meth:`Mechanism.load_at_shaft`. A stage and further turning bodies
+between its shaft and the drive come with the base.
 """
 
 from abc import abstractmethod
-from dataclasses import dataclass, field
-from typing import ClassVar, Literal
+from collections.abc import Iterator
+from typing import Annotated, Any, ClassVar, Literal
 
-from app.engine.cycle import LoadCycle
-from app.engine.diagram import Diagram
+from pydantic import Field
+
 from app.engine.environment import Environment
+from app.engine.formulas.inertia import sum_of_inertias
+from app.engine.mechanisms.bodies import AnyBody
+from app.engine.mechanisms.load import Load
+from app.engine.mechanisms.stage import STAGE, Stage, assume_usual_efficiency
 from app.engine.motion.profile import MotionProfile
-from app.engine.quantity import Declared
+from app.engine.quantity import Declaration, Declared, Option, Quantity
 from app.engine.sheet import Sheet
 
-
-@dataclass(frozen=True)
-class Statics:
-    """Torques at the drive's output shaft without acceleration [N m], unsigned unless said; what rule sets ask for."""
-
-    friction: float
-    """All passive resistances of the moving axis."""
-    forward: float
-    """Steady motion in positive direction (up): signed torque the drive must give, no process force."""
-    backward: float
-    """Steady motion in negative direction (down): signed in positive direction, so gravity alone is positive."""
-    holding: float
-    """Standstill, without the help of friction; signed in positive direction."""
-    working: float
-    """Largest steady torque with the process force, in the direction in which it occurs."""
-    rapid_speed: float
-    """Highest speed of the cycle [rad/s]."""
-    working_speed: float
-    """Highest speed of the segments with a process force; rapid_speed where there is none [rad/s]."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class LoadState:
-    """The axis in one state of load at steady speed, before any loss: what a drive asks that makes its own ramps.
-
-    All values stand at the drive's output shaft. Line-fed and pole-changing motors start and stop by themselves: run-up
-    time, braking distance and starting frequency follow from these states, not from the ramps of a motion.
-    """
-
-    key: str
-    """Prefix of step keys, unique in the load: ``"laden_forward"``."""
-    label: str
-    """For the reader: ``"laden, forward"``."""
-    direction: float
-    """+1 or -1"""
-    torque: float
-    """Steady torque without losses [N m]; positive opposes the motion, negative drives it."""
-    inertia: float
-    """Inertia that is reached through the losses [kg m2]"""
-    front_inertia: float = 0.0
-    """Inertia on the output shaft itself, before the losses [kg m2]"""
-    speed: float
-    """Steady speed, unsigned [rad/s]"""
-    efficiency: float = 1.0
-    """Product of all efficiencies of the mechanism behind this shaft."""
-    travel: float | None = None
-    """Path of the load per radian of this shaft [m/rad]; None where the load turns."""
-    permissible_acceleration: float | None = None
-    """Of the load before wheels slip or goods topple: [m/s2], or [rad/s2] of this shaft where ``travel`` is None."""
-    process_torque: float = 0.0
-    """Part of ``torque`` that acts at full speed only, not while starting and stopping [N m]"""
-    starts: float = 1.0
-    """Starts in this state in each cycle."""
-    duration: float = 0.0
-    """Time in this state in each cycle [s]"""
-    curve: tuple[tuple[float, float], ...] = ()
-    """Points (speed [rad/s], torque [N m]) where the torque depends on the speed (fan, pump); else empty."""
-
-
-@dataclass(frozen=True)
-class Load:
-    """What a mechanism asks of the drive."""
-
-    cycle: LoadCycle
-    statics: Statics
-    opposite: LoadCycle | None = None
-    """The same motion in the opposite direction, for inclined and vertical axes: judged for peak and holding too."""
-    results: dict[str, float] = field(default_factory=dict)
-    """Headline results by sheet key, shown beside the drive's own."""
-    states: tuple[LoadState, ...] = ()
-    """States of load for drives that make their own ramps; empty where the mechanism has no steady running."""
-    diagrams: tuple[Diagram, ...] = ()
-    """What the mechanism itself wants shown."""
+FURTHER = "Further turning bodies"
 
 
 class Mechanism(Declared):
-    """Base of all mechanisms."""
+    """Base of all mechanisms. The drive's output shaft is the mechanism's own, or the input of the stage before it."""
 
     kind: str
     title: ClassVar[str]
@@ -101,7 +34,82 @@ class Mechanism(Declared):
     drawing: ClassVar[str]
     """File in ``static/drawings/``: an SVG that carries the symbols of the fields."""
     motion_kind: ClassVar[Literal["linear", "rotary"]]
+    follows_course: ClassVar[bool] = False
+    """Whether the torque of a segment depends on angle or course of the speed: then segments are cut finely."""
+    shown_last: ClassVar[frozenset[str]] = frozenset(
+        {"stage_ratio", "stage_efficiency", "stage_inertia", "further_bodies"}
+    )
 
-    @abstractmethod
+    stage_ratio: Annotated[
+        float,
+        Quantity(
+            "1", symbol="i_2", gt=0, le=1e4, default=1.0, group=STAGE, source="no stage",
+            about="ratio of a stage before the mechanism: chain, belt or open gear wheels",
+        ),
+    ]  # fmt: skip
+    stage_efficiency: Annotated[
+        float | None,
+        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
+    ]
+    stage_inertia: Annotated[
+        float,
+        Quantity(
+            "kg cm2", symbol="J_1", ge=0, le=1e4, default=0.0, group=STAGE, source="left out until given",
+            about="inertia of what sits on the input shaft of that stage",
+        ),
+    ]  # fmt: skip
+    further_bodies: Annotated[
+        tuple[AnyBody, ...],
+        Field(max_length=20),
+        Option(
+            default=(), group=FURTHER,
+            about="further bodies that turn with the drive's output shaft: couplings, brake discs, gear wheels",
+        ),
+    ]  # fmt: skip
+
+    def defaults_taken(self) -> Iterator[tuple[str, Declaration, Any]]:
+        """As for every input model; what sits on the shaft of a stage is no question where there is none."""
+        idle = {"stage_inertia"} if self.stage_ratio == 1 else set()
+        yield from (found for found in super().defaults_taken() if found[0] not in idle)
+
     def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Compute the load cycle at the drive's output shaft, with every step on ``sheet``."""
+        found = self.load_at_shaft(motion, environment, sheet)
+        stage = self._stage(sheet)
+        if stage is None:
+            return found
+        stage.record(sheet, found.cycle, environment.regeneration)
+        return stage.load(found, environment.regeneration)
+
+    @property
+    def has_stage(self) -> bool:
+        """Whether anything stands between the mechanism's own shaft and the drive's output shaft."""
+        return bool(
+            self.stage_ratio != 1 or self.stage_efficiency is not None or self.stage_inertia or self.further_bodies
+        )
+
+    def _stage(self, sheet: Sheet) -> Stage | None:
+        """What stands between the mechanism's own shaft and the drive's output shaft; None: nothing."""
+        if not self.has_stage:
+            return None
+        efficiency = self.stage_efficiency
+        if efficiency is None:
+            efficiency = 1.0 if self.stage_ratio == 1 else assume_usual_efficiency(sheet)
+        return Stage(self.stage_ratio, efficiency, self._record_further(sheet))
+
+    def _record_further(self, sheet: Sheet) -> float:
+        """Inertia of everything on the drive's output shaft that is no part of the mechanism [kg m2]."""
+        if not self.further_bodies:
+            return self.stage_inertia
+        with sheet.section(FURTHER):
+            parts = [
+                body.record_inertia(sheet, f"further_body_{number}_inertia", f"Inertia of further body {number}")
+                for number, body in enumerate(self.further_bodies, start=1)
+            ]
+            label = "Inertia of what else turns with the drive's output shaft"
+            parts = [part for part in (*parts, self.stage_inertia) if part]
+            return sheet(sum_of_inertias, key="further_inertia", symbol="J_1", label=label, J_k=parts)
+
+    @abstractmethod
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+        """Compute the load cycle at the mechanism's own shaft, with every step on ``sheet``."""

@@ -10,10 +10,10 @@ from pydantic import model_validator
 from app.engine.environment import Environment
 from app.engine.formulas.belt import drum_grip, pulley_transmission
 from app.engine.formulas.resistance import acceleration_force, guide_friction, sum_of_forces, weight_along_axis
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import refused
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, record_axis
-from app.engine.mechanisms.stage import STAGE, stage_or_none
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import FloatArray, MotionProfile
 from app.engine.quantity import Declaration, Option, Quantity
 from app.engine.sheet import Sheet
@@ -145,24 +145,6 @@ class BeltConveyor(Mechanism):
             source="SEW 2001, 17.1: flat belt with drums on rolling bearings, lower value",
         ),
     ]  # fmt: skip
-    stage_ratio: Annotated[
-        float,
-        Quantity(
-            "1", symbol="i_2", gt=0, le=1e4, default=1.0, group=STAGE, source="no stage",
-            about="ratio of the stage before the drum: chain, belt or open gear wheels",
-        ),
-    ]  # fmt: skip
-    stage_efficiency: Annotated[
-        float | None,
-        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
-    ]
-    stage_inertia: Annotated[
-        float,
-        Quantity(
-            "kg cm2", symbol="J_1", ge=0, le=1e4, default=0.0, group=STAGE, source="left out until given",
-            about="inertia of what sits on the input shaft of that stage",
-        ),
-    ]  # fmt: skip
     slack_tension: Annotated[
         float | None,
         Quantity("N", symbol="F_2", ge=0, le=1e7, default=None, group=GRIP, about="tension of the slack strand"),
@@ -187,12 +169,10 @@ class BeltConveyor(Mechanism):
 
     def defaults_taken(self) -> Iterator[tuple[str, Declaration, Any]]:
         """As in the base, without those that do not count here."""
-        idle = {"stage_inertia"} if self.stage_ratio == 1 else set()
-        if self.slack_tension is None or self.drum_friction is None:
-            idle.add("wrap_angle")
+        idle = {"wrap_angle"} if self.slack_tension is None or self.drum_friction is None else set()
         yield from (found for found in super().defaults_taken() if found[0] not in idle)
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the input of the stage before the drum; check of the grip."""
         with sheet.section("Drive drum"):
             label = "Travel of the belt per radian of the drive drum"
@@ -201,18 +181,13 @@ class BeltConveyor(Mechanism):
         cycle = axis.cycle(motion, environment)
         record_axis(axis, sheet, motion, cycle, environment)
         self._check_grip(sheet, axis.largest_force(motion, environment))
-        found = Load(
+        return Load(
             cycle=cycle,
             statics=axis.statics(motion, environment),
             opposite=axis.opposite(motion, environment),
             states=axis.states(motion, environment),
             results={"drum_speed": cycle.max_speed, "load_inertia_at_drum": cycle.inertia},
         )
-        stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
-        if stage is None:
-            return found
-        stage.record(sheet, cycle, environment.regeneration)
-        return stage.load(found, environment.regeneration)
 
     def _axis(self, radius: float) -> LinearAxis:
         body = _CarriedLoad(

@@ -1,34 +1,65 @@
 """Bodies that turn about an axis: what a turntable, a drum or an arm is put together from."""
 
 from abc import abstractmethod
-from typing import Annotated, Literal, Self
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
 from app.engine.formulas.inertia import (
     cuboid_inertia,
+    disc_about_diameter_inertia,
     hollow_cylinder_inertia,
     parallel_axis_inertia,
     point_mass_inertia,
+    referred_inertia,
+    rod_inertia,
     solid_cylinder_inertia,
+    sphere_inertia,
+    spherical_shell_inertia,
     sum_of_inertias,
 )
 from app.engine.mechanisms.guided_axis import refused
-from app.engine.quantity import Declared, Quantity
+from app.engine.quantity import Declaration, Declared, Quantity
 from app.engine.sheet import Sheet
 
 
 class Body(Declared):
-    """One body that turns with the load."""
+    """One body that turns with the load, on its axis or geared to it."""
+
+    shown_last = frozenset({"ratio"})
+
+    ratio: Annotated[
+        float,
+        Quantity(
+            "1", symbol="i_b", gt=0, le=1e4, default=1.0, source="on the axis itself",
+            about="speed of the axis over speed of the body, where gear wheels or a belt lie between them",
+        ),
+    ]  # fmt: skip
+
+    def defaults_taken(self) -> Iterator[tuple[str, Declaration, Any]]:
+        """As for every input model; that a body sits on the axis itself needs no confirmation."""
+        yield from (found for found in super().defaults_taken() if found[0] != "ratio")
 
     @property
     def total_mass(self) -> float:
-        """What the bearings carry of it [kg]."""
+        """What the bearings of the axis carry of it [kg]."""
+        return self._own_mass if self.ratio == 1 else 0.0
+
+    @property
+    def _own_mass(self) -> float:
         return 0.0
 
-    @abstractmethod
     def record_inertia(self, sheet: Sheet, key: str, label: str) -> float:
-        """Inertia about the axis of rotation [kg m2], written to ``sheet`` under ``key``."""
+        """Inertia referred to the axis of rotation [kg m2], written to ``sheet`` under ``key``."""
+        if self.ratio == 1:
+            return self._record_about_axis(sheet, key, label)
+        own = self._record_about_axis(sheet, f"{key}_own_speed", f"{label}, on its own shaft")
+        return sheet(referred_inertia, key=key, label=label, J=own, i=self.ratio)
+
+    @abstractmethod
+    def _record_about_axis(self, sheet: Sheet, key: str, label: str) -> float:
+        """Inertia about the axis that the body turns about [kg m2]."""
 
 
 class MassiveBody(Body):
@@ -44,12 +75,11 @@ class MassiveBody(Body):
     ]  # fmt: skip
 
     @property
-    def total_mass(self) -> float:
-        """What the bearings carry of it [kg]."""
+    def _own_mass(self) -> float:
         return self.mass
 
-    def record_inertia(self, sheet: Sheet, key: str, label: str) -> float:
-        """Own inertia, moved to the axis of rotation where the body stands beside it (Steiner)."""
+    def _record_about_axis(self, sheet: Sheet, key: str, label: str) -> float:
+        # own inertia, moved to the axis of rotation where the body stands beside it (Steiner)
         if self.offset == 0:
             return self._record_own(sheet, key, label)
         own = self._record_own(sheet, f"{key}_own", f"{label}, about its own centre")
@@ -104,6 +134,54 @@ class Cuboid(MassiveBody):
         return sheet(cuboid_inertia, key=key, label=label, m=self.mass, b=self.width, l=self.length)
 
 
+class UprightDisc(MassiveBody):
+    """A thin disc whose plane holds the axis of rotation."""
+
+    title = "Thin disc about its diameter"
+
+    shape: Literal["upright_disc"] = "upright_disc"
+    diameter: Annotated[float, Quantity("mm", symbol="D", gt=0, le=100, about="diameter")]
+
+    def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
+        return sheet(disc_about_diameter_inertia, key=key, label=label, m=self.mass, D=self.diameter)
+
+
+class Sphere(MassiveBody):
+    """A solid ball."""
+
+    title = "Solid sphere"
+
+    shape: Literal["sphere"] = "sphere"
+    diameter: Annotated[float, Quantity("mm", symbol="D", gt=0, le=100, about="diameter")]
+
+    def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
+        return sheet(sphere_inertia, key=key, label=label, m=self.mass, D=self.diameter)
+
+
+class SphericalShell(MassiveBody):
+    """A thin hollow ball."""
+
+    title = "Thin spherical shell"
+
+    shape: Literal["spherical_shell"] = "spherical_shell"
+    diameter: Annotated[float, Quantity("mm", symbol="D", gt=0, le=100, about="mean diameter of the shell")]
+
+    def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
+        return sheet(spherical_shell_inertia, key=key, label=label, m=self.mass, D=self.diameter)
+
+
+class Rod(MassiveBody):
+    """A thin rod or arm across the axis of rotation."""
+
+    title = "Thin rod across the axis"
+
+    shape: Literal["rod"] = "rod"
+    length: Annotated[float, Quantity("mm", symbol="l", gt=0, le=100, about="length of the rod")]
+
+    def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
+        return sheet(rod_inertia, key=key, label=label, m=self.mass, l=self.length)
+
+
 class PointMass(Body):
     """A body that is small against its distance from the axis."""
 
@@ -114,12 +192,10 @@ class PointMass(Body):
     radius: Annotated[float, Quantity("mm", symbol="r", ge=0, le=100, about="distance from the axis of rotation")]
 
     @property
-    def total_mass(self) -> float:
-        """What the bearings carry of it [kg]."""
+    def _own_mass(self) -> float:
         return self.mass
 
-    def record_inertia(self, sheet: Sheet, key: str, label: str) -> float:
-        """Mass times radius squared."""
+    def _record_about_axis(self, sheet: Sheet, key: str, label: str) -> float:
         return sheet(point_mass_inertia, key=key, label=label, m=self.mass, r=self.radius)
 
 
@@ -131,9 +207,11 @@ class GivenInertia(Body):
     shape: Literal["given"] = "given"
     inertia: Annotated[float, Quantity("kg m2", symbol="J", ge=0, le=1e7, about="inertia about the axis of rotation")]
 
-    def record_inertia(self, sheet: Sheet, key: str, label: str) -> float:
-        """The inertia as given."""
+    def _record_about_axis(self, sheet: Sheet, key: str, label: str) -> float:
         return sheet(sum_of_inertias, key=key, label=label, J_k=[self.inertia])
 
 
-AnyBody = Annotated[Cylinder | HollowCylinder | Cuboid | PointMass | GivenInertia, Field(discriminator="shape")]
+AnyBody = Annotated[
+    Cylinder | HollowCylinder | Cuboid | UprightDisc | Sphere | SphericalShell | Rod | PointMass | GivenInertia,
+    Field(discriminator="shape"),
+]

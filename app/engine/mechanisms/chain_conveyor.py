@@ -8,10 +8,10 @@ from app.engine.environment import Environment
 from app.engine.formulas import conveyor as formulas
 from app.engine.formulas.belt import pulley_transmission
 from app.engine.formulas.resistance import guide_friction, sum_of_forces, weight_along_axis
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.conveyed import Conveyed
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, record_axis
-from app.engine.mechanisms.stage import STAGE, stage_or_none
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Option, Quantity
 from app.engine.sheet import Sheet
@@ -73,21 +73,8 @@ class ChainConveyor(Mechanism):
         Quantity("1", symbol="eta_L", gt=0, le=1, default=0.9, source="SEW 2001, 17.1: chain, lower value",
                  group=DRIVE, about="efficiency of the chain on its sprockets"),
     ]  # fmt: skip
-    stage_ratio: Annotated[
-        float, Quantity("1", symbol="i_2", gt=0, le=1e4, default=1.0, source="no stage", group=STAGE,
-                        about="ratio of a stage before the sprocket"),
-    ]  # fmt: skip
-    stage_efficiency: Annotated[
-        float | None,
-        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
-    ]
-    stage_inertia: Annotated[
-        float,
-        Quantity("kg cm2", symbol="J_1", ge=0, le=1e4, default=0.0, source="left out until given", group=STAGE,
-                 about="inertia of what sits on the input shaft of that stage"),
-    ]  # fmt: skip
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the sprocket shaft or the input of the stage before it."""
         with sheet.section("Sprocket"):
             radius = sheet(pulley_transmission, key="transmission_constant", d=self.sprocket_diameter,
@@ -101,16 +88,11 @@ class ChainConveyor(Mechanism):
         axis = LinearAxis(body=body, words=words, constant=radius, efficiency=self.efficiency)
         cycle = axis.cycle(motion, environment)
         record_axis(axis, sheet, motion, cycle, environment)
-        found = Load(
+        return Load(
             cycle=cycle, statics=axis.statics(motion, environment), opposite=axis.opposite(motion, environment),
             results={"sprocket_speed": cycle.max_speed, "load_inertia_at_sprocket": cycle.inertia},
             states=axis.states(motion, environment),
         )  # fmt: skip
-        stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
-        if stage is None:
-            return found
-        stage.record(sheet, cycle, environment.regeneration)
-        return stage.load(found, environment.regeneration)
 
     def _weight(self, payload: Any, gravity: float) -> Any:
         """Weight of goods, and of the carrying strand where it is not balanced."""

@@ -12,11 +12,11 @@ from app.engine.formulas.belt import pulley_transmission
 from app.engine.formulas.conversion import mechanical_power, shaft_speed
 from app.engine.formulas.efficiency import driving_stage_torque
 from app.engine.formulas.resistance import sum_of_forces
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.conveyed import Conveyed
 from app.engine.mechanisms.guided_axis import refused, without_zeros
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, record_axis
-from app.engine.mechanisms.stage import STAGE, stage_or_none
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Quantity
 from app.engine.sheet import Sheet
@@ -87,19 +87,6 @@ class DinBeltConveyor(Mechanism):
         Quantity("kg m2", symbol="J_D", ge=0, le=1e5, default=0.0, source="left out until given", group=DRUM,
                  about="inertia of all drums, referred to the drive drum"),
     ]  # fmt: skip
-    stage_ratio: Annotated[
-        float, Quantity("1", symbol="i_2", gt=0, le=1e4, default=1.0, source="no stage", group=STAGE,
-                        about="ratio of a stage before the drum"),
-    ]  # fmt: skip
-    stage_efficiency: Annotated[
-        float | None,
-        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
-    ]
-    stage_inertia: Annotated[
-        float,
-        Quantity("kg cm2", symbol="J_1", ge=0, le=1e4, default=0.0, source="left out until given", group=STAGE,
-                 about="inertia of what sits on the input shaft of that stage"),
-    ]  # fmt: skip
 
     @model_validator(mode="after")
     def _idlers_are_tubes(self) -> Self:
@@ -107,7 +94,7 @@ class DinBeltConveyor(Mechanism):
             raise refused(self, "idler_inner_diameter", "must be smaller than the outer diameter")
         return self
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the drive drum or the input of the stage before it."""
         with sheet.section(DRUM):
             radius = sheet(pulley_transmission, key="transmission_constant", d=self.drum_diameter,
@@ -120,16 +107,11 @@ class DinBeltConveyor(Mechanism):
                           constant=radius, efficiency=self.efficiency, front_inertia=self.drum_inertia)  # fmt: skip
         cycle = axis.cycle(motion, environment)
         record_axis(axis, sheet, motion, cycle, environment)
-        found = Load(
+        return Load(
             cycle=cycle, statics=axis.statics(motion, environment), opposite=axis.opposite(motion, environment),
             results={"drum_speed": cycle.max_speed, "conveying_power": sheet.value("conveying_power")},
             states=axis.states(motion, environment),
         )  # fmt: skip
-        stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
-        if stage is None:
-            return found
-        stage.record(sheet, cycle, environment.regeneration)
-        return stage.load(found, environment.regeneration)
 
     def _record_resistances(self, sheet: Sheet, speed: float, gravity: float) -> tuple[float, float, float]:
         """Goods per length [kg/m], resistance and slope resistance [N]."""

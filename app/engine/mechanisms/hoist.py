@@ -8,10 +8,10 @@ import numpy as np
 from app.engine.environment import Environment
 from app.engine.formulas.hoist import hoisted_weight, hoisting_transmission
 from app.engine.formulas.resistance import sum_of_forces
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import without_zeros
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, force_on, record_axis
-from app.engine.mechanisms.stage import STAGE, stage_or_none
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import FloatArray, MotionProfile
 from app.engine.quantity import Option, Quantity
 from app.engine.sheet import Sheet
@@ -103,22 +103,8 @@ class Hoist(Mechanism):
         Quantity("kg m2", symbol="J_D", ge=0, le=1e5, default=0.0, source="left out until given", group=DRUM,
                  about="inertia of sprocket or drum on its shaft"),
     ]  # fmt: skip
-    stage_ratio: Annotated[
-        float,
-        Quantity("1", symbol="i_2", gt=0, le=1e4, default=1.0, source="no stage", group=STAGE,
-                 about="ratio of a stage before the drum"),
-    ]  # fmt: skip
-    stage_efficiency: Annotated[
-        float | None,
-        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
-    ]
-    stage_inertia: Annotated[
-        float,
-        Quantity("kg cm2", symbol="J_1", ge=0, le=1e4, default=0.0, source="left out until given", group=STAGE,
-                 about="inertia of what sits on the input shaft of that stage"),
-    ]  # fmt: skip
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the drum shaft or the input of the stage before it."""
         with sheet.section("Sprocket or drum"):
             radius = sheet(hoisting_transmission, key="transmission_constant", D=self.drum_diameter, n_r=self.falls)
@@ -128,7 +114,7 @@ class Hoist(Mechanism):
                           front_inertia=self.drum_inertia)  # fmt: skip
         cycle = axis.cycle(motion, environment)
         record_axis(axis, sheet, motion, cycle, environment)
-        found = Load(
+        return Load(
             cycle=cycle,
             statics=axis.statics(motion, environment),
             opposite=axis.opposite(motion, environment),
@@ -136,8 +122,3 @@ class Hoist(Mechanism):
             states=axis.states(motion, environment, permissible_acceleration=self.permissible_acceleration,
                                also_unladen=True, words=LIFTING),
         )  # fmt: skip
-        stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
-        if stage is None:
-            return found
-        stage.record(sheet, cycle, environment.regeneration)
-        return stage.load(found, environment.regeneration)

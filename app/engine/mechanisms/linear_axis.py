@@ -22,7 +22,7 @@ from app.engine.formulas.conversion import (
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.inertia import linear_mass_inertia, sum_of_inertias
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces, viscous_friction
-from app.engine.mechanisms.base import LoadState, Statics
+from app.engine.mechanisms.load import LoadState, Statics
 from app.engine.mechanisms.phases import record_phases
 from app.engine.mechanisms.states import TRAVELLING, Words, steady_runs
 from app.engine.motion.profile import FloatArray, MotionProfile

@@ -13,9 +13,10 @@ from app.engine.formulas.rack import (
     pinion_radial_force,
     travel_per_revolution,
 )
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import MASSES, GuidedAxis, refused
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, record_axis
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Declaration, Option, Quantity
 from app.engine.sheet import Sheet
@@ -121,7 +122,7 @@ class RackPinion(GuidedAxis, Mechanism):
         """Mass that rests on the guides [kg], with what travels along."""
         return super().guided_mass(payload) + self.travelling_mass
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the pinion's shaft: pitch circle, inertia, forces, torques; check of the tangential force."""
         motion = self.refined(motion)
         with sheet.section("Pinion"):

@@ -10,11 +10,11 @@ from app.engine.formulas import conveyor as formulas
 from app.engine.formulas.belt import pulley_transmission
 from app.engine.formulas.inertia import hollow_cylinder_inertia
 from app.engine.formulas.rail import rolling_resistance, slip_acceleration
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.conveyed import Conveyed
 from app.engine.mechanisms.guided_axis import refused
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, record_axis
-from app.engine.mechanisms.stage import STAGE, stage_or_none
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Option, Quantity
 from app.engine.sheet import Sheet
@@ -86,19 +86,6 @@ class RollerConveyor(Mechanism):
                labels={"distributed": "spread over all rollers",
                        "last_roller": "at the last roller (bound on the safe side)"}),
     ]  # fmt: skip
-    stage_ratio: Annotated[
-        float, Quantity("1", symbol="i_2", gt=0, le=1e4, default=1.0, source="no stage", group=STAGE,
-                        about="ratio of a stage before the first roller"),
-    ]  # fmt: skip
-    stage_efficiency: Annotated[
-        float | None,
-        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
-    ]
-    stage_inertia: Annotated[
-        float,
-        Quantity("kg cm2", symbol="J_1", ge=0, le=1e4, default=0.0, source="left out until given", group=STAGE,
-                 about="inertia of what sits on the input shaft of that stage"),
-    ]  # fmt: skip
 
     @model_validator(mode="after")
     def _diameters_fit(self) -> Self:
@@ -108,7 +95,7 @@ class RollerConveyor(Mechanism):
             raise refused(self, "journal_diameter", "the journal must be thinner than the roller")
         return self
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the shaft of the driven roller or the input of the stage before it."""
         g, payload = environment.gravity, float(motion.payload.max())
         with sheet.section(ROLLERS):
@@ -136,11 +123,7 @@ class RollerConveyor(Mechanism):
         if permissible is not None:
             sheet.check("goods_slip", "Goods slip on the rollers", float(abs(motion.acceleration).max()), permissible,
                         "m/s2", "static friction between goods and rollers", formula="slip_acceleration")  # fmt: skip
-        stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
-        if stage is None:
-            return found
-        stage.record(sheet, cycle, environment.regeneration)
-        return stage.load(found, environment.regeneration)
+        return found
 
     def _roller_mass(self) -> float:
         volume = formulas.tube_volume(self.roller_diameter, self.roller_inner_diameter, self.roller_length)

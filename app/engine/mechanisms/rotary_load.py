@@ -13,11 +13,11 @@ from app.engine.formulas.belt import pulley_transmission
 from app.engine.formulas.conversion import acceleration_torque, linear_speed, linear_way, sum_of_torques
 from app.engine.formulas.inertia import sum_of_inertias
 from app.engine.formulas.rotary import bearing_friction_torque, unbalance_amplitude, unbalance_torque
-from app.engine.mechanisms.base import Load, LoadState, Mechanism, Statics
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.bodies import AnyBody
 from app.engine.mechanisms.guided_axis import refused, split
+from app.engine.mechanisms.load import Load, LoadState, Statics
 from app.engine.mechanisms.phases import record_phases
-from app.engine.mechanisms.stage import STAGE, stage_or_none
 from app.engine.mechanisms.states import steady_runs
 from app.engine.motion.profile import FloatArray, MotionProfile
 from app.engine.quantity import Declaration, Option, Quantity
@@ -152,24 +152,6 @@ class RotaryLoad(Mechanism):
             about="angle of the arm above level at the start, rising in positive direction",
         ),
     ]  # fmt: skip
-    stage_ratio: Annotated[
-        float,
-        Quantity(
-            "1", symbol="i_2", gt=0, le=1e4, default=1.0, group=STAGE, source="no stage",
-            about="ratio of a stage before the load: chain, belt or open gear wheels",
-        ),
-    ]  # fmt: skip
-    stage_efficiency: Annotated[
-        float | None,
-        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
-    ]
-    stage_inertia: Annotated[
-        float,
-        Quantity(
-            "kg cm2", symbol="J_1", ge=0, le=1e3, default=0.0, group=STAGE, source="left out until given",
-            about="inertia of what sits on the input shaft of that stage",
-        ),
-    ]  # fmt: skip
 
     @model_validator(mode="after")
     def _an_unbalance_has_an_arm(self) -> Self:
@@ -191,11 +173,9 @@ class RotaryLoad(Mechanism):
             idle |= {"axis_tilt", "unbalance_mass", "unbalance_radius", "unbalance_follows", "start_angle"}
         elif self.unbalance_follows == "worst_case":
             idle.add("start_angle")
-        if self.stage_ratio == 1:
-            idle.add("stage_inertia")
         yield from (found for found in super().defaults_taken() if found[0] not in idle)
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the axis, or at the input of the stage before it."""
         inertia = self._record_inertia(sheet)
         resistances = self._resistances(sheet, motion, environment)
@@ -206,18 +186,13 @@ class RotaryLoad(Mechanism):
         cycle = _cycle(motion, inertia, resistances)
         self._record_phases(sheet, motion, cycle, inertia, resistances)
         one_way = resistances.unbalance == 0 and resistances.external == 0
-        found = Load(
+        return Load(
             cycle=cycle,
             statics=_statics(motion, resistances),
             opposite=None if one_way else _cycle(motion.mirrored(), inertia, resistances),
             results={"load_inertia_at_axis": cycle.inertia},
             states=self._states(course, inertia, resistances),
         )
-        stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
-        if stage is None:
-            return found
-        stage.record(sheet, cycle, environment.regeneration)
-        return stage.load(found, environment.regeneration)
 
     def _record_inertia(self, sheet: Sheet) -> float:
         with sheet.section("Turning bodies"):

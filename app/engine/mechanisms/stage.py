@@ -16,7 +16,7 @@ from app.engine.formulas.conversion import (
 )
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
-from app.engine.mechanisms.base import Load, LoadState, Statics
+from app.engine.mechanisms.load import Load, LoadState, Statics
 from app.engine.mechanisms.phases import largest
 from app.engine.sheet import Sheet
 
@@ -50,15 +50,17 @@ class Stage:
     def state(self, behind: LoadState) -> LoadState:
         """A state of load at the input shaft.
 
-        What sits on the shaft between stage and mechanism is counted among what the mechanism's losses act on, too.
+        What sits on the shaft between a stage with losses and the mechanism is counted among what the losses of both
+        act on.
         """
+        before = behind.front_inertia if self.efficiency == 1 else 0.0
         turning = behind.travel is None and behind.permissible_acceleration is not None
         return replace(
             behind,
             torque=float(torque_before_ratio(behind.torque, self.ratio)),
             process_torque=behind.process_torque / self.ratio,
-            inertia=float(referred_inertia(behind.inertia + behind.front_inertia, self.ratio)),
-            front_inertia=self.input_inertia,
+            inertia=float(referred_inertia(behind.inertia + behind.front_inertia - before, self.ratio)),
+            front_inertia=float(referred_inertia(before, self.ratio)) + self.input_inertia,
             speed=float(speed_before_ratio(behind.speed, self.ratio)),
             efficiency=behind.efficiency * self.efficiency,
             travel=None if behind.travel is None else behind.travel / self.ratio,
@@ -164,20 +166,10 @@ class Stage:
             )
 
 
-def stage_or_none(sheet: Sheet, ratio: float, efficiency: float | None, input_inertia: float) -> Stage | None:
-    """The stage of a mechanism, or None where there is none: ratio 1, no efficiency given and no inertia.
-
-    A stage with a ratio whose efficiency is not given takes :data:`CHAIN_EFFICIENCY`, as an assumption.
-    """
-    if ratio == 1 and efficiency is None:
-        return Stage(1.0, 1.0, input_inertia) if input_inertia else None
-    if efficiency is None:
-        sheet.assume(
-            "mechanism.stage_efficiency",
-            "Efficiency of the stage before the mechanism",
-            value=CHAIN_EFFICIENCY,
-            symbol="eta_2",
-            source=CHAIN_SOURCE,
-        )
-        efficiency = CHAIN_EFFICIENCY
-    return Stage(ratio, efficiency, input_inertia)
+def assume_usual_efficiency(sheet: Sheet) -> float:
+    """The usual efficiency of a stage, taken as an assumption where none is given."""
+    sheet.assume(
+        "mechanism.stage_efficiency", "Efficiency of the stage before the mechanism", value=CHAIN_EFFICIENCY,
+        symbol="eta_2", source=CHAIN_SOURCE,
+    )  # fmt: skip
+    return CHAIN_EFFICIENCY

@@ -19,9 +19,10 @@ from app.engine.formulas.inertia import solid_cylinder_inertia
 from app.engine.formulas.optimum import pulley_inertia_coefficient
 from app.engine.formulas.rack import travel_per_revolution
 from app.engine.formulas.resistance import acceleration_force
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import GuidedAxis, refused
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, record_axis
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Option, Quantity
 from app.engine.sheet import Sheet
@@ -169,7 +170,7 @@ class TimingBelt(GuidedAxis, Mechanism):
             )
         return self
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the drive pulley: inertia, forces, torques; checks of the belt."""
         motion = self.refined(motion)
         axis = self._axis(sheet)

@@ -18,10 +18,10 @@ from app.engine.formulas.rail import (
     trailing_resistance,
 )
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces, weight_along_axis
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import refused, without_zeros
 from app.engine.mechanisms.linear_axis import AxisWords, LinearAxis, force_on, record_axis
-from app.engine.mechanisms.stage import STAGE, stage_or_none
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import FloatArray, MotionProfile
 from app.engine.quantity import Quantity
 from app.engine.sheet import Sheet
@@ -174,24 +174,6 @@ class TravelDrive(Mechanism):
             about="coefficient of static friction between wheel and rail",
         ),
     ]  # fmt: skip
-    stage_ratio: Annotated[
-        float,
-        Quantity(
-            "1", symbol="i_2", gt=0, le=1e4, default=1.0, group=STAGE, source="no stage",
-            about="ratio of the stage before the wheels: chain, belt or open gear wheels",
-        ),
-    ]  # fmt: skip
-    stage_efficiency: Annotated[
-        float | None,
-        Quantity("1", symbol="eta_2", gt=0, le=1, default=None, group=STAGE, about="efficiency of that stage"),
-    ]
-    stage_inertia: Annotated[
-        float,
-        Quantity(
-            "kg cm2", symbol="J_1", ge=0, le=1e4, default=0.0, group=STAGE, source="left out until given",
-            about="inertia of what sits on the input shaft of that stage",
-        ),
-    ]  # fmt: skip
 
     @model_validator(mode="after")
     def _journals_fit_into_wheels(self) -> Self:
@@ -199,7 +181,7 @@ class TravelDrive(Mechanism):
             raise refused(self, "journal_diameter", "the journal must be thinner than the wheel")
         return self
 
-    def load(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
+    def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the wheel shaft or the input of the stage before it; checks of slip."""
         with sheet.section("Wheel"):
             label = "Travel of the vehicle per radian of the wheel"
@@ -210,7 +192,7 @@ class TravelDrive(Mechanism):
         cycle = axis.cycle(motion, environment)
         record_axis(axis, sheet, motion, cycle, environment)
         permissible = self._check_slip(sheet, vehicle, motion, environment)
-        found = Load(
+        return Load(
             cycle=cycle,
             statics=axis.statics(motion, environment),
             opposite=axis.opposite(motion, environment),
@@ -221,11 +203,6 @@ class TravelDrive(Mechanism):
             },
             states=axis.states(motion, environment, permissible_acceleration=permissible, also_unladen=True),
         )
-        stage = stage_or_none(sheet, self.stage_ratio, self.stage_efficiency, self.stage_inertia)
-        if stage is None:
-            return found
-        stage.record(sheet, cycle, environment.regeneration)
-        return stage.load(found, environment.regeneration)
 
     def _vehicle(self) -> _Vehicle:
         return _Vehicle(

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from app.engine.cycle import LoadCycle
-from app.engine.mechanisms.base import Load, Statics
+from app.engine.mechanisms.load import Load, Statics
 from app.engine.products import ServoGearUnit, ServoMotor
 
 RPM = np.pi / 30

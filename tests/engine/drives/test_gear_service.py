@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.engine.drives.gear_service import GearCase, GearService, load_changes, record_gear_service
-from app.engine.mechanisms.base import Load, LoadState, Statics
+from app.engine.mechanisms.load import Load, LoadState, Statics
 from app.engine.products import GearUnit
 from app.engine.sheet import Check, Sheet, Verdict
 from app.engine.tables import Table

@@ -10,7 +10,7 @@ from app.engine.drives.own import OwnServoMotor
 from app.engine.drives.rules import ServoRules
 from app.engine.drives.servo import ServoResult, check_servo
 from app.engine.environment import Environment
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.selection import DIRECT, select
 from app.engine.sheet import Sheet, Verdict
 from tests.engine.drives.cases import cycle, gear, load

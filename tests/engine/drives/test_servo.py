@@ -9,7 +9,7 @@ import pytest
 from app.engine.drives.rules import ServoRules
 from app.engine.drives.servo import ServoResult, check_servo
 from app.engine.environment import Environment
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.products import ServoDrive, ServoGearUnit, ServoMotor
 from app.engine.sheet import Check, Sheet, Verdict
 from tests.engine.drives.cases import RPM, cycle, gear, load, motor

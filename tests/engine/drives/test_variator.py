@@ -12,7 +12,7 @@ from app.engine.drives.variator import VariatorDrive
 from app.engine.drives.variator_range import VariatorCase, torque_between
 from app.engine.environment import Environment
 from app.engine.errors import EngineError
-from app.engine.mechanisms.base import Load, LoadState, Statics
+from app.engine.mechanisms.load import Load, LoadState, Statics
 from app.engine.motion.constant import ConstantMotion
 from app.engine.sheet import Check, Sheet, Verdict
 from tests.engine.drives.cases import cycle

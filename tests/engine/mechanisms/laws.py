@@ -10,8 +10,9 @@ import pytest
 from hypothesis import settings
 
 from app.engine.environment import Environment
-from app.engine.mechanisms.base import Load, Mechanism
+from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import split
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Declared
 from app.engine.sheet import Sheet

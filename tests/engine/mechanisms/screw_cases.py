@@ -7,7 +7,7 @@ import numpy as np
 
 from app.engine.environment import Environment
 from app.engine.mechanisms.ball_screw import BallScrew
-from app.engine.mechanisms.base import Load
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.sheet import Sheet
 

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from app.engine.environment import Environment
 from app.engine.mechanisms import mechanisms
 from app.engine.mechanisms.ball_screw import BallScrew
-from app.engine.mechanisms.base import Load
 from app.engine.mechanisms.guided_axis import split
+from app.engine.mechanisms.load import Load
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import to_si
 from app.engine.sheet import Sheet
