@@ -4,6 +4,7 @@ A linear motion is in m, m/s, m/s2; a rotary one in rad, rad/s, rad/s2. Positive
 on an inclined axis positive is up.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import groupby
@@ -94,3 +95,29 @@ class MotionProfile:
         return replace(
             self, speed_start=-self.speed_start, speed_end=-self.speed_end, direction=-self.direction, label=self.label
         )
+
+    def segment(self, k: int, duration: float) -> "MotionProfile":
+        """Segment ``k`` alone, at constant speed for another time [s]."""
+        one = slice(k, k + 1)
+        return replace(
+            self, duration=np.array([duration]), speed_start=self.speed_start[one], speed_end=self.speed_end[one],
+            payload=self.payload[one], process_force=self.process_force[one], direction=self.direction[one],
+            braked=self.braked[one], label=self.label[one],
+            at_speed_only=None if self.at_speed_only is None else self.at_speed_only[one],
+        )  # fmt: skip
+
+
+def joined(profiles: Sequence[MotionProfile]) -> MotionProfile:
+    """One motion after the other; at least one, all of one kind."""
+    return replace(
+        profiles[0],
+        duration=np.concatenate([one.duration for one in profiles]),
+        speed_start=np.concatenate([one.speed_start for one in profiles]),
+        speed_end=np.concatenate([one.speed_end for one in profiles]),
+        payload=np.concatenate([one.payload for one in profiles]),
+        process_force=np.concatenate([one.process_force for one in profiles]),
+        direction=np.concatenate([one.direction for one in profiles]),
+        braked=np.concatenate([one.braked for one in profiles]),
+        label=tuple(text for one in profiles for text in one.label),
+        at_speed_only=None,
+    )

@@ -14,9 +14,11 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from pydantic import BaseModel, ValidationError
 
+from app.engine.cycle import LoadCycle
 from app.engine.environment import Environment
 from app.engine.mechanisms import mechanisms
 from app.engine.mechanisms.base import Mechanism
+from app.engine.mechanisms.guided_axis import split
 from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Declared, Option, Quantity, declaration
 from app.engine.sheet import Sheet
@@ -25,14 +27,17 @@ from tests.engine.mechanisms.laws import AnyTable, loaded
 
 KINDS = sorted(mechanisms())
 EVERY = pytest.mark.parametrize("kind", KINDS)
+SEGMENTWISE = pytest.mark.parametrize("kind", [kind for kind in KINDS if not mechanisms()[kind].follows_course])
+"""Each segment stands for itself; the others are sampled, so halving the step replaces cutting a segment."""
+FOLLOWING = pytest.mark.parametrize("kind", [kind for kind in KINDS if mechanisms()[kind].follows_course])
 MODELS = st.sampled_from(["eta", "sew"])
 HARD = settings(
     max_examples=20, deadline=None, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow]
 )
 WORST = {"unbalance_follows": "worst_case"}
 """Needs no course of the angle: each segment stands for itself."""
-BY_ANGLE = {"unbalance_follows": "angle"}
-"""An unbalance that is always against the motor is no course of a real motion, so its work says nothing."""
+BY_ANGLE = {"unbalance_follows": "angle", "process_force_n": 0}
+"""An unbalance that is always against the motor is no course of a real motion; a process that helps gives energy."""
 
 
 # --- inputs out of the declarations -----------------------------------------------------------------------------------
@@ -157,7 +162,7 @@ def motions(
 # --- laws -------------------------------------------------------------------------------------------------------------
 
 
-@EVERY
+@SEGMENTWISE
 @HARD
 @given(data=st.data())
 def test_splitting_a_segment_changes_nothing(kind: str, data: st.DataObject):
@@ -165,12 +170,42 @@ def test_splitting_a_segment_changes_nothing(kind: str, data: st.DataObject):
     laws.splitting_changes_nothing(mechanism, data.draw(motions(kind)), data.draw(st.integers(2, 5)))
 
 
-@EVERY
+@SEGMENTWISE
 @HARD
 @given(data=st.data())
 def test_arrays_equal_a_loop(kind: str, data: st.DataObject):
     mechanism = data.draw(drawn(kind, {**WORST, "viscous_coefficient_ns_m": 0.0}))
     laws.arrays_equal_a_loop(mechanism, data.draw(motions(kind)))
+
+
+@FOLLOWING
+@HARD
+@given(data=st.data(), model=MODELS)
+def test_cutting_a_sampled_course_once_more_changes_little(kind: str, data: st.DataObject, model: str):
+    mechanism, motion = data.draw(drawn(kind, WORST)), data.draw(motions(kind))
+    cut = np.full(len(motion.duration), 2)
+    whole, finer = (loaded(mechanism, run, regeneration=model).cycle for run in (motion, split(motion, cut)))
+    squares = [float((one.torque**2 * one.duration).sum()) for one in (whole, finer)]
+    assert squares[1] == pytest.approx(squares[0], rel=2e-3)
+    assert np.abs(finer.torque).max() == pytest.approx(np.abs(whole.torque).max(), rel=1e-3)
+
+
+@FOLLOWING
+@HARD
+@given(data=st.data())
+def test_without_losses_the_kinetic_energy_is_the_work_of_the_drive(kind: str, data: st.DataObject):
+    """The inertia at the shaft changes with the angle, but never exceeds what the cycle says."""
+    mechanism = changed(data.draw(drawn(kind, WORST, most=0)), 0)
+    motion = data.draw(motions(kind, process=False, payloads=False))
+    cycle = loaded(mechanism, motion).cycle
+    work = np.cumsum(cycle.torque * cycle.mean_speed * cycle.duration)
+    most = cycle.inertia * cycle.max_speed**2 / 2
+    lost = np.cumsum(np.abs(loaded(mechanism, motion).statics.friction * cycle.mean_speed * cycle.duration))
+    assert (work <= most + lost + 1e-3 * turnover_of(cycle)).all()
+
+
+def turnover_of(cycle: LoadCycle) -> float:
+    return float(np.abs(cycle.torque * cycle.mean_speed * cycle.duration).sum())
 
 
 @EVERY
@@ -194,7 +229,7 @@ def test_the_opposite_cycle_is_that_of_the_mirrored_motion(kind: str, data: st.D
         np.testing.assert_allclose(there.opposite.speed_start, back.cycle.speed_start)
 
 
-@EVERY
+@SEGMENTWISE
 @HARD
 @given(data=st.data())
 def test_without_losses_torque_per_acceleration_is_the_inertia(kind: str, data: st.DataObject):
