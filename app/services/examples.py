@@ -52,8 +52,10 @@ class Take(BaseModel):
     model_config = ConfigDict(extra="forbid", populate_by_name=True)
 
     request: str = Field(default="main", description="Which of the example's requests")
-    origin: Literal["step", "check", "input", "headline"] = Field(alias="from", description="Part of the result")
-    key: str = Field(description="Key of the step or check, or path of the input")
+    origin: Literal["step", "argument", "check", "input", "headline"] = Field(
+        alias="from", description="Part of the result"
+    )
+    key: str = Field(description="Key of the step or check, key.argument of a step, or path of the input")
     side: Literal["demanded", "permitted", "utilisation"] = Field(
         default="demanded", description="Which number of a check"
     )
@@ -233,6 +235,11 @@ def _value(take: Take, unit: str, sizing: Computed) -> float | None:
     match take.origin:
         case "step":
             si = sizing.sheet.value(take.key) if sizing.sheet.has(take.key) else None
+        case "argument":
+            key, _, name = take.key.rpartition(".")
+            step = next((one for one in sizing.sheet.steps if one.key == key), None)
+            put_in = None if step is None else step.inputs.get(name)
+            si = float(put_in) if isinstance(put_in, (int, float)) else None
         case "headline":
             si = next((h.value for h in sizing.headlines if h.key == take.key), None)
         case "check":

@@ -10,8 +10,10 @@ from app.engine.cycle import LoadCycle
 from app.engine.diagram import Diagram, series
 from app.engine.formulas import crank as formulas
 from app.engine.formulas.conversion import acceleration_torque, linear_speed, sum_of_torques, torque_of_force
+from app.engine.formulas.duty import effective_torque
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces
+from app.engine.formulas.servo import signed_power
 from app.engine.mechanisms.guided_axis import without_zeros
 from app.engine.mechanisms.load import Statics
 from app.engine.mechanisms.phases import record_phases
@@ -257,6 +259,8 @@ class Slide:
                       M_k=without_zeros([passed, *others]))  # fmt: skip
 
         record_phases(sheet, motion, cycle.torque, write)
+        label = "Effective torque at the crank over the cycle"
+        sheet(effective_torque, key="effective_crank_torque", label=label, M_k=cycle.torque, t_k=cycle.duration)
         self._record_extremes(sheet, motion.max_speed, model)
 
     def _record_extremes(self, sheet: Sheet, omega: float, model: RegenerationModel) -> None:
@@ -271,7 +275,10 @@ class Slide:
                 F = float(self.net_torque(phi, omega, 0.0)) / A if A else 0.0
                 ideal = sheet(torque_of_force, key=f"{key}_torque_ideal", label=label, F=F, A=A)
                 label = "Torque at the crank with the losses of the mechanism"
-                record_stage(sheet, ideal, omega, self.efficiency, model, key=f"{key}_torque", symbol="M", label=label)
+                with_losses = record_stage(sheet, ideal, omega, self.efficiency, model, key=f"{key}_torque", symbol="M",
+                                           label=label)  # fmt: skip
+                label = f"Power where the crank {words}"
+                sheet(signed_power, key=f"{key}_power", label=label, M=with_losses, omega=omega)
 
 
 def angle_of_largest(function: Callable[[FloatArray], FloatArray], sign: float = 1.0) -> float:
