@@ -1,7 +1,7 @@
 """Induction motors on an inverter: torque over frequency, slip, 87 Hz characteristic, group drives."""
 
 from app.engine.formula import formula, pi, sqrt
-from app.engine.units import Ampere, Hertz, NewtonMetre, One, RadPerSecond, Volt
+from app.engine.units import Ampere, Hertz, MetrePerSecond, NewtonMetre, One, RadPerSecond, Volt
 
 
 @formula(symbol="M_N(f)", unit="N m", source="SEW 2001, 3.4: constant power above the base frequency")
@@ -161,3 +161,27 @@ def group_current(n_M: One, I_N: Ampere) -> Ampere:
     14.7
     """
     return n_M * I_N
+
+
+@formula(symbol="f", unit="Hz", source="SEW 2001, 8.4: frequency in proportion to the speed, slip left out")
+def frequency_in_proportion(f_1: Hertz, v: MetrePerSecond, v_1: MetrePerSecond) -> Hertz:
+    """Frequency for another speed of the same drive, as if its slip grew with the speed.
+
+    ``f_1`` frequency at the speed ``v_1``, ``v`` the other speed.
+
+    >>> frequency_in_proportion(30.0, 0.5, 0.2)
+    75.0
+    """
+    return f_1 * v / v_1
+
+
+@formula(symbol="f_S", unit="Hz", source="derived: one turn of the rotating field per pair of poles")
+def synchronous_frequency(omega: RadPerSecond, z_p: One) -> Hertz:
+    """Frequency at which the rotating field turns at a speed.
+
+    ``omega`` speed, ``z_p`` number of poles.
+
+    >>> round(synchronous_frequency(157.07963267948966, 4), 9)  # 1500 rpm
+    50.0
+    """
+    return omega * z_p / (4 * pi)

@@ -8,18 +8,20 @@ from pydantic import Field
 from app.engine.motion.base import MotionModel
 from app.engine.motion.constant import ConstantMotion, ConstantRotation
 from app.engine.motion.csv_profile import CsvProfile
+from app.engine.motion.flying_saw import FlyingSaw
 from app.engine.motion.move import LinearMove, RotaryMove
 from app.engine.motion.moves import Moves, Turns
 from app.engine.motion.profile import MotionProfile
 from app.engine.motion.trips import Rotations, Trips
 
 Motion: TypeAlias = Annotated[
-    Moves | Turns | ConstantMotion | ConstantRotation | Trips | Rotations | CsvProfile, Field(discriminator="kind")
+    Moves | Turns | ConstantMotion | ConstantRotation | Trips | Rotations | FlyingSaw | CsvProfile,
+    Field(discriminator="kind"),
 ]
 """Any description of a cycle, told apart by ``kind``."""
 
 _MODELS: tuple[type[MotionModel], ...] = (
-    Moves, Turns, ConstantMotion, ConstantRotation, Trips, Rotations, CsvProfile,
+    Moves, Turns, ConstantMotion, ConstantRotation, Trips, Rotations, FlyingSaw, CsvProfile,
 )  # fmt: skip
 
 
@@ -40,6 +42,7 @@ __all__ = [
     "ConstantMotion",
     "ConstantRotation",
     "CsvProfile",
+    "FlyingSaw",
     "LinearMove",
     "Motion",
     "MotionModel",
