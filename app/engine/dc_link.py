@@ -83,9 +83,11 @@ def net_segments(axes: Sequence[AxisPower]) -> list[PowerSegment]:
     borders = borders[np.concatenate(([True], np.diff(borders) > 1e-9))]
     found = []
     for start, end in pairwise(borders.tolist()):
-        inner = (end - start) * 1e-6
-        first, last = (float(sum(axis.at(np.array([at]))[0] for axis in axes)) for at in (start + inner, end - inner))
-        found.append(PowerSegment("all axes", float(end - start), first, last))
+        # straight inside, but it may jump at the borders: prolonged from two moments inside
+        quarter = np.array([start + (end - start) / 4, end - (end - start) / 4])
+        early, late = (float(one) for one in np.sum([axis.at(quarter) for axis in axes], axis=0))
+        rise = (late - early) / 2
+        found.append(PowerSegment("all axes", float(end - start), early - rise, late + rise))
     return found
 
 

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic_core import PydanticCustomError
 
 import app.engine.formulas  # noqa: F401  registers every formula
 from app.engine.errors import EngineError
@@ -20,7 +21,23 @@ from app.services.sizing import Headline
 
 MAX_STEPS = 200
 MAX_VALUES = 1000
-Value = float | Annotated[str, Field(min_length=1, max_length=60)]
+LONGEST = 60
+"""Of a text that stands for a value."""
+
+
+def _one_or_many(value: object) -> object:
+    """Refuse what is no value in one sentence, in place of one for each way in which it is none."""
+    many = value if isinstance(value, list) else [value]
+    for one in many:
+        if isinstance(one, bool) or not isinstance(one, (int, float, str)):
+            raise PydanticCustomError("value", _WANTED)
+        if isinstance(one, str) and not 1 <= len(one) <= LONGEST:
+            raise PydanticCustomError("value", f"{_WANTED}, of at most {LONGEST} characters")
+    return value
+
+
+_WANTED = 'must be a number, a text with its unit ("250 mm"), or "=key" of an earlier step'
+Value = float | Annotated[str, Field(min_length=1, max_length=LONGEST)]
 """A number in SI, a text with its unit, or ``"=key"`` for the result of an earlier step."""
 
 
@@ -33,7 +50,7 @@ class CalculationStep(BaseModel):
     key: Annotated[str, Field(max_length=100)] = Field(
         default="", description="Name of the result; empty: the formula's"
     )
-    values: dict[str, Value | list[Value]] = Field(
+    values: dict[str, Annotated[Value | list[Value], BeforeValidator(_one_or_many)]] = Field(
         description='Each argument: a number in SI, a text with its unit ("250 mm"), or "=key" of an earlier step'
     )
 
@@ -82,6 +99,8 @@ class CalculationService:
                 results[key] = sheet(formula, key=key, **values)
             except EngineError as error:
                 raise InvalidInputError([FieldError((*path, "values"), error.message, step.values)]) from error
+            except (TypeError, ValueError) as error:  # numpy's: shapes that do not go together
+                raise InvalidInputError(_misfits(step, path)) from error
         return Calculation(request, raw, sheet)
 
 
@@ -107,6 +126,16 @@ def _values(
     if errors:
         raise InvalidInputError(errors)
     return made
+
+
+def _misfits(step: CalculationStep, path: tuple[str | int, ...]) -> list[FieldError]:
+    """What to say where several values stand for an argument that takes one, or another number of them."""
+    message = "several values do not fit here: give one, or as many as of the other arguments that take several"
+    return [
+        FieldError((*path, "values", name), message, given)
+        for name, given in step.values.items()
+        if isinstance(given, list)
+    ]
 
 
 def _value(given: Any, unit: str, results: Mapping[str, float]) -> float:

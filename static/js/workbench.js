@@ -14,6 +14,7 @@ const PAUSE = 300;
 let latest = 0;
 let waiting;
 let running;
+let rebuilding = 0;
 
 function entries(button) {
   const data = new FormData(form);
@@ -101,13 +102,25 @@ async function recalculate(button) {
 
 function soon() {
   clearTimeout(waiting);
-  waiting = setTimeout(() => recalculate(), PAUSE);
+  waiting = setTimeout(() => { if (!rebuilding) recalculate(); }, PAUSE); // a form on its way ends with a result anyway
+}
+
+// A form made of entries that have changed meanwhile is asked for once more: nothing typed is lost.
+async function currentForm(button) {
+  for (;;) {
+    const sent = entries().toString();
+    const html = await fetched("form", button);
+    if (html === null || entries().toString() === sent) return html;
+  }
 }
 
 async function rebuild(button) {
-  const focused = document.activeElement?.id;
-  const html = await fetched("form", button);
+  clearTimeout(waiting);
+  rebuilding += 1;
+  const html = await currentForm(button);
+  rebuilding -= 1;
   if (html === null) return;
+  const focused = document.activeElement?.id;
   replaced(body, html);
   arranged(body);
   const added = button?.name === "add" ? [...form.querySelectorAll(`#${CSS.escape(button.id)}`)].at(-1) : null;

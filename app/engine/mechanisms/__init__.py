@@ -14,7 +14,7 @@ def mechanisms() -> Mapping[str, type[Mechanism]]:
         importlib.import_module(f"{__name__}.{module.name}")
     base: type[Mechanism] = Mechanism  # type: ignore[type-abstract]
     found = {cls.model_fields["kind"].default: cls for cls in _descendants(base) if "kind" in cls.model_fields}
-    return {kind: cls for kind, cls in sorted(found.items()) if isinstance(kind, str)}
+    return dict(sorted((kind, cls) for kind, cls in found.items() if isinstance(kind, str)))
 
 
 def _descendants(base: type[Mechanism]) -> set[type[Mechanism]]:

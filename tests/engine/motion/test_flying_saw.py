@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from app.engine.errors import MotionError
@@ -52,7 +52,7 @@ def test_the_handbook_neglects_the_stop():
     ) == pytest.approx(5)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])
 @given(
     feed=st.floats(0.05, 2), length=st.floats(0.3, 6), cut=st.floats(0.05, 2), stroke=st.floats(0.1, 4),
     rate=st.floats(0.3, 10), back=st.floats(0.2, 3),
