@@ -149,10 +149,6 @@ def test_a_wrong_request_is_refused_at_its_place(raw: Any, name: str, message: s
     assert error.message.startswith(message)
 
 
-# --- what is not yet as it must be ------------------------------------------------------------------------------------
-
-
-@pytest.mark.xfail(raises=(TypeError, ValueError), reason="numpy's own errors come through")
 @pytest.mark.parametrize(
     "wrong",
     [

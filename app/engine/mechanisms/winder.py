@@ -23,6 +23,7 @@ from app.engine.sheet import Sheet
 REEL, WEB = "Reel", "Web"
 DIAMETER_STEP = 5e-4
 """Relative change of the diameter over which it counts as constant."""
+RAMP_PIECES = 128
 MOST_PIECES = 20_000
 """Of one segment."""
 
@@ -126,7 +127,7 @@ class Winder(Mechanism):
         reached = self._diameter(motion.position)
         growth = np.abs(np.diff(np.log(reached)))
         turning = np.abs(motion.speed_end - motion.speed_start) > 0
-        least = np.where(turning & (growth > DIAMETER_STEP / 100), 4, 1)
+        least = np.where(turning & (growth > DIAMETER_STEP / 100), RAMP_PIECES, 1)
         parts = np.clip(np.ceil(growth / DIAMETER_STEP), least, MOST_PIECES).astype(int)
         pieces = split(motion, parts)
         position = pieces.position
