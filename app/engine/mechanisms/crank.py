@@ -159,7 +159,7 @@ class Crank(Mechanism):
         return Load(
             cycle=cycle, statics=slide.statics(course, environment.regeneration),
             opposite=None if both_ways else slide.cycle(mirrored, environment.regeneration),
-            results={"crank_speed": motion.max_speed, "slide_speed": sheet.value("largest_slide_speed")},
+            results={"largest_slide_speed": sheet.value("largest_slide_speed")},
             diagrams=slide.diagrams(motion.max_speed, environment.regeneration),
         )  # fmt: skip
 

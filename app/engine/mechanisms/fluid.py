@@ -85,7 +85,7 @@ class FluidMachine(Mechanism):
         self._record(sheet, course, cycle, rated, g)
         statics = self._statics(motion, rated, g)
         return Load(
-            cycle=cycle, statics=statics, results={"shaft_speed": motion.max_speed, "rated_load_torque": rated},
+            cycle=cycle, statics=statics, results={"rated_load_torque": rated},
             states=self._states(motion, rated, g), diagrams=(self._diagram(motion, rated, g),),
         )  # fmt: skip
 
@@ -115,9 +115,11 @@ class FluidMachine(Mechanism):
         )  # fmt: skip
 
     def _states(self, motion: MotionProfile, rated: float, gravity: float) -> tuple[LoadState, ...]:
+        runs = steady_runs(motion, unit="kg m2")
+        alone = len(runs) == 1
         return tuple(
             LoadState(
-                key=run.key, label=run.label, direction=run.direction, speed=run.speed,
+                key="running" if alone else run.key, label="running" if alone else run.label, direction=run.direction, speed=run.speed,
                 torque=float(self.torque(run.speed, rated, gravity)) + run.process_force,
                 process_torque=run.process_force if run.at_speed_only else 0.0,
                 inertia=self.rotor_inertia + run.payload, starts=run.starts, duration=run.duration,
@@ -126,17 +128,17 @@ class FluidMachine(Mechanism):
                     for speed in np.linspace(0.0, run.speed, CURVE_POINTS)
                 ),
             )
-            for run in steady_runs(motion, unit="kg m2")
+            for run in runs
         )  # fmt: skip
 
     def _diagram(self, motion: MotionProfile, rated: float, gravity: float) -> Diagram:
         top = max(motion.max_speed, self.rated_speed)
         speeds = np.linspace(0.0, top, 101)
-        points = np.unique(np.abs(np.concatenate((motion.speed_start, motion.speed_end))))
+        highest = motion.max_speed
         lines = (
             series("torque of the machine", speeds, self.torque(speeds, rated, gravity)),
-            series("operating point", [self.rated_speed], [rated], "limit"),
-            series("speeds of the cycle", points, self.torque(points, rated, gravity), "point"),
+            series("operating point", [self.rated_speed], [rated], "point"),
+            series("highest speed of the cycle", [highest] * 2, [0.0, self.torque(highest, rated, gravity)], "second"),
         )
         return Diagram("machine_torque", "Torque over the speed", "Speed", "rpm", "Torque", "N m", lines)
 

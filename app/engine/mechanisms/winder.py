@@ -115,7 +115,7 @@ class Winder(Mechanism):
         self._record_phases(sheet, course, cycle)
         return Load(
             cycle=cycle, statics=self._statics(course), opposite=self._cycle(self._course(motion.mirrored())),
-            results={"web_power": sheet.value("web_power"), "end_diameter": float(course.borders[-1])},
+            results={"web_power": sheet.value("web_power"), "largest_diameter": sheet.value("largest_diameter")},
             diagrams=self._diagrams(course, cycle),
         )  # fmt: skip
 
@@ -164,7 +164,7 @@ class Winder(Mechanism):
         )  # fmt: skip
 
     def _record_reel(self, sheet: Sheet, course: _Course) -> None:
-        """Write length, diameters, inertia and power; check that the reel does not grow beyond what it may be."""
+        """Write length, diameters, inertia and power; a check where more web runs than the reel holds."""
         motion, grown = course.motion, course.borders
         K = self.core_diameter
         with sheet.section(REEL):
@@ -178,8 +178,9 @@ class Winder(Mechanism):
                   D=D, D_K=K, b=self.width, rho=self.density)  # fmt: skip
             sheet(mechanical_power, key="web_power", label="Power of tension and speed of the web", F=self.tension,
                   v=motion.max_speed)  # fmt: skip
-            sheet.check("reel_diameter", "Diameter of the reel", D, self.full_diameter, "mm", "given with the reel",
-                        formula="reel_diameter")  # fmt: skip
+            if self.full_diameter * (1 + 1e-9) < D:
+                sheet.check("reel_diameter", "Diameter of the reel", D, self.full_diameter, "mm", "given with the reel",
+                            formula="reel_diameter")  # fmt: skip
             wound = float(formulas.reel_length(self._start, K, self.thickness))
             taken = max(float((-self._sense * motion.position).max()), 0.0)
             if taken > wound * (1 + 1e-9):
