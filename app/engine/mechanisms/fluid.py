@@ -1,6 +1,7 @@
 """What fans and pumps share: a torque that grows with the speed, and nothing that is moved but the rotor."""
 
 from abc import abstractmethod
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -116,10 +117,11 @@ class FluidMachine(Mechanism):
 
     def _states(self, motion: MotionProfile, rated: float, gravity: float) -> tuple[LoadState, ...]:
         runs = steady_runs(motion, unit="kg m2")
-        alone = len(runs) == 1
+        if len(runs) == 1:
+            runs = (replace(runs[0], key="running", label="running"),)
         return tuple(
             LoadState(
-                key="running" if alone else run.key, label="running" if alone else run.label, direction=run.direction, speed=run.speed,
+                key=run.key, label=run.label, direction=run.direction, speed=run.speed,
                 torque=float(self.torque(run.speed, rated, gravity)) + run.process_force,
                 process_torque=run.process_force if run.at_speed_only else 0.0,
                 inertia=self.rotor_inertia + run.payload, starts=run.starts, duration=run.duration,
