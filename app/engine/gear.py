@@ -15,12 +15,19 @@ from app.engine.environment import Environment
 from app.engine.formulas.conversion import speed_before_ratio, torque_before_ratio
 from app.engine.formulas.duty import equivalent_output_torque, mean_speed
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
-from app.engine.formulas.gear import emergency_torque_by_factor, emergency_torque_of_brake, peak_output_torque
+from app.engine.formulas.gear import (
+    emergency_torque_by_factor,
+    emergency_torque_of_brake,
+    motor_mass_ratio,
+    peak_output_torque,
+)
 from app.engine.mechanisms.load import Load
 from app.engine.products import GearUnit, ServoGearUnit, ServoMotor
 from app.engine.sheet import Sheet
 
 GEAR_SOURCE = "gear unit: data sheet"
+MOST_MOTOR_MASS = {1: 4.0, 2: 2.5}
+"""Mass of motor over planetary gear unit, by its stages, beyond which the motor needs a support (SEW 2001, 6.3)."""
 
 
 @dataclass(frozen=True)
@@ -118,6 +125,19 @@ def check_gear_unit(
     top = sheet(speed_before_ratio, key="gear_max_input_speed", symbol="n_1max", label="Highest input speed",
                 omega=hull.max_speed, i=gear.ratio)  # fmt: skip
     _check(sheet, "gear_max_input_speed", top, gear.max_input_speed, "rpm", "highest permitted input speed")
+    _decide_support(sheet, gear, motor)
+
+
+def _decide_support(sheet: Sheet, gear: ServoGearUnit, motor: ServoMotor | None) -> None:
+    """Say whether a heavy motor needs a support of its own, where the masses are known."""
+    limit = MOST_MOTOR_MASS.get(gear.stages or 0)
+    if motor is None or motor.mass is None or gear.mass is None or limit is None:
+        return
+    share = sheet(motor_mass_ratio, m_M=motor.mass, m_G=gear.mass)
+    if share > limit:
+        sheet.decide(
+            "The motor needs a support of its own", f"it has more than {limit:g} times the mass of the gear unit"
+        )
 
 
 def _check_emergency(

@@ -1,7 +1,7 @@
 """Gear unit of a servo drive: bounds of its ratio, and the torque of an emergency stop."""
 
 from app.engine.formula import formula, sqrt
-from app.engine.units import KilogramMetre2, NewtonMetre, One, RadPerSecond
+from app.engine.units import Kilogram, KilogramMetre2, NewtonMetre, One, RadPerSecond
 
 
 @formula(symbol="i_J", unit="1", source="derived: J_L / i^2 <= lambda * J_M")
@@ -76,3 +76,15 @@ def peak_output_torque(T_2: NewtonMetre) -> NewtonMetre:
     40.0
     """
     return abs(T_2)
+
+
+@formula(symbol="m_M/m_G", unit="1", source="SEW 2001, 6.3: support of the motor")
+def motor_mass_ratio(m_M: Kilogram, m_G: Kilogram) -> One:
+    """Mass of the motor over that of the gear unit which carries it.
+
+    ``m_M`` mass of the motor, ``m_G`` mass of the gear unit.
+
+    >>> motor_mass_ratio(30.0, 10.0)
+    3.0
+    """
+    return m_M / m_G
