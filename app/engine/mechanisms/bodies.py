@@ -2,10 +2,11 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
+from app.engine.formula import Formula
 from app.engine.formulas.inertia import (
     cuboid_inertia,
     disc_about_diameter_inertia,
@@ -89,16 +90,25 @@ class MassiveBody(Body):
     def _record_own(self, sheet: Sheet, key: str, label: str) -> float: ...
 
 
-class Cylinder(MassiveBody):
-    """A disc or solid cylinder that turns about its own axis or one parallel to it."""
+class RoundBody(MassiveBody):
+    """A body that its mass and diameter describe."""
 
-    title = "Disc or solid cylinder"
+    law: ClassVar[Formula[..., Any]]
+    """Inertia about its own centre from mass and diameter."""
 
-    shape: Literal["cylinder"] = "cylinder"
     diameter: Annotated[float, Quantity("mm", symbol="D", gt=0, le=100, about="diameter")]
 
     def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
-        return sheet(solid_cylinder_inertia, key=key, label=label, m=self.mass, D=self.diameter)
+        return sheet(self.law, key=key, label=label, m=self.mass, D=self.diameter)
+
+
+class Cylinder(RoundBody):
+    """A disc or solid cylinder that turns about its own axis or one parallel to it."""
+
+    title = "Disc or solid cylinder"
+    law = solid_cylinder_inertia
+
+    shape: Literal["cylinder"] = "cylinder"
 
 
 class HollowCylinder(MassiveBody):
@@ -134,40 +144,31 @@ class Cuboid(MassiveBody):
         return sheet(cuboid_inertia, key=key, label=label, m=self.mass, b=self.width, l=self.length)
 
 
-class UprightDisc(MassiveBody):
+class UprightDisc(RoundBody):
     """A thin disc whose plane holds the axis of rotation."""
 
     title = "Thin disc about its diameter"
+    law = disc_about_diameter_inertia
 
     shape: Literal["upright_disc"] = "upright_disc"
-    diameter: Annotated[float, Quantity("mm", symbol="D", gt=0, le=100, about="diameter")]
-
-    def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
-        return sheet(disc_about_diameter_inertia, key=key, label=label, m=self.mass, D=self.diameter)
 
 
-class Sphere(MassiveBody):
+class Sphere(RoundBody):
     """A solid ball."""
 
     title = "Solid sphere"
+    law = sphere_inertia
 
     shape: Literal["sphere"] = "sphere"
-    diameter: Annotated[float, Quantity("mm", symbol="D", gt=0, le=100, about="diameter")]
-
-    def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
-        return sheet(sphere_inertia, key=key, label=label, m=self.mass, D=self.diameter)
 
 
-class SphericalShell(MassiveBody):
-    """A thin hollow ball."""
+class SphericalShell(RoundBody):
+    """A thin hollow ball; its diameter is the mean one of the shell."""
 
     title = "Thin spherical shell"
+    law = spherical_shell_inertia
 
     shape: Literal["spherical_shell"] = "spherical_shell"
-    diameter: Annotated[float, Quantity("mm", symbol="D", gt=0, le=100, about="mean diameter of the shell")]
-
-    def _record_own(self, sheet: Sheet, key: str, label: str) -> float:
-        return sheet(spherical_shell_inertia, key=key, label=label, m=self.mass, D=self.diameter)
 
 
 class Rod(MassiveBody):
