@@ -133,7 +133,7 @@ def _decide_support(sheet: Sheet, gear: ServoGearUnit, motor: ServoMotor | None)
     limit = MOST_MOTOR_MASS.get(gear.stages or 0)
     if motor is None or motor.mass is None or gear.mass is None or limit is None:
         return
-    share = sheet(motor_mass_ratio, m_M=motor.mass, m_G=gear.mass)
+    share = sheet(motor_mass_ratio, m_M=motor.mass, m_gu=gear.mass)
     if share > limit:
         sheet.decide(
             "The motor needs a support of its own", f"it has more than {limit:g} times the mass of the gear unit"

@@ -79,12 +79,12 @@ def peak_output_torque(T_2: NewtonMetre) -> NewtonMetre:
 
 
 @formula(symbol="m_M/m_G", unit="1", source="SEW 2001, 6.3: support of the motor")
-def motor_mass_ratio(m_M: Kilogram, m_G: Kilogram) -> One:
+def motor_mass_ratio(m_M: Kilogram, m_gu: Kilogram) -> One:
     """Mass of the motor over that of the gear unit which carries it.
 
-    ``m_M`` mass of the motor, ``m_G`` mass of the gear unit.
+    ``m_M`` mass of the motor, ``m_gu`` mass of the gear unit.
 
     >>> motor_mass_ratio(30.0, 10.0)
     3.0
     """
-    return m_M / m_G
+    return m_M / m_gu

@@ -42,16 +42,16 @@ def reel_inertia(D: Metre, D_K: Metre, b: Metre, rho: KilogramPerMetre3) -> Kilo
 
 
 @formula(symbol="F_t", unit="N", source="derived: tension that falls with the diameter, by a taper")
-def tapered_tension(F_W: Newton, k_t: One, D_K: Metre, D: Metre) -> Newton:
+def tapered_tension(F_W: Newton, k_W: One, D_K: Metre, D: Metre) -> Newton:
     """Tension of the web at a diameter.
 
-    ``F_W`` tension on the core, ``k_t`` taper: share by which the tension falls towards an endless reel, ``D_K``
+    ``F_W`` tension on the core, ``k_W`` taper: share by which the tension falls towards an endless reel, ``D_K``
     diameter of the core, ``D`` diameter.
 
     >>> tapered_tension(100.0, 0.5, 0.1, 0.2)
     75.0
     """
-    return F_W * (1 - k_t * (1 - D_K / D))
+    return F_W * (1 - k_W * (1 - D_K / D))
 
 
 @formula(symbol="M_W", unit="N m", source="derived: force at the circumference times radius")

@@ -20,11 +20,11 @@ class Fan(FluidMachine):
     kind: Literal["fan"] = "fan"
     pressure: Annotated[
         float | None,
-        Quantity("Pa", symbol="Delta_p", gt=0, le=1e7, default=None, group=POINT, about="total pressure"),
+        Quantity("Pa", symbol="p_t", gt=0, le=1e7, default=None, group=POINT, about="total pressure"),
     ]
     fan_efficiency: Annotated[
         float | None,
-        Quantity("1", symbol="eta_V", gt=0, le=1, default=None, group=POINT, about="efficiency of the fan"),
+        Quantity("1", symbol="eta_F", gt=0, le=1, default=None, group=POINT, about="efficiency of the fan"),
     ]
 
     @model_validator(mode="after")
@@ -39,7 +39,7 @@ class Fan(FluidMachine):
     def record_torque(self, sheet: Sheet, speed: float, rated: float, gravity: float, prefix: str) -> float:
         """The same on the sheet."""
         return sheet(formulas.affine_torque, key=f"{prefix}fan_torque", M_N=rated, M_f=self.friction_torque, n=speed,
-                     n_r=self.rated_speed)  # fmt: skip
+                     n_W=self.rated_speed)  # fmt: skip
 
     def power(self, gravity: float) -> float:
         """Power of the operating point [W]."""
@@ -47,4 +47,4 @@ class Fan(FluidMachine):
 
     def record_power(self, sheet: Sheet, gravity: float) -> float:
         """The same on the sheet."""
-        return sheet(formulas.fan_power, Q=self.volume_flow, Delta_p=self.pressure, eta_V=self.fan_efficiency)
+        return sheet(formulas.fan_power, Q=self.volume_flow, p_t=self.pressure, eta_F=self.fan_efficiency)

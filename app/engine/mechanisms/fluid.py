@@ -36,7 +36,7 @@ class FluidMachine(Mechanism):
 
     rated_speed: Annotated[
         float,
-        Quantity("rpm", symbol="n_r", gt=0, le=3e4, group=POINT, about="speed of the operating point"),
+        Quantity("rpm", symbol="n_W", gt=0, le=3e4, group=POINT, about="speed of the operating point"),
     ]
     volume_flow: Annotated[
         float | None,

@@ -106,15 +106,15 @@ class Pump(FluidMachine):
         """The same on the sheet."""
         if not self.static_head:
             return sheet(formulas.affine_torque, key=f"{prefix}pump_torque", M_N=rated, M_f=self.friction_torque,
-                         n=speed, n_r=self.rated_speed)  # fmt: skip
+                         n=speed, n_W=self.rated_speed)  # fmt: skip
         flow = self._record_flow(sheet, speed, prefix)
         return sheet(formulas.pump_torque, key=f"{prefix}pump_torque", M_N=rated, M_f=self.friction_torque,
                      k_0=self.closed_valve_torque, Q=flow, Q_r=self.volume_flow or 1.0, n=speed,
-                     n_r=self.rated_speed)  # fmt: skip
+                     n_W=self.rated_speed)  # fmt: skip
 
     def _record_flow(self, sheet: Sheet, speed: float, prefix: str) -> float:
         return sheet(formulas.flow_at_speed, key=f"{prefix}flow", Q=self.volume_flow or 1.0, H_0=self._closed_head,
-                     H_st=self.static_head, n=speed, n_r=self.rated_speed)  # fmt: skip
+                     H_st=self.static_head, n=speed, n_W=self.rated_speed)  # fmt: skip
 
     def power(self, gravity: float) -> float:
         """Power of the operating point [W]."""

@@ -78,7 +78,7 @@ class Winder(Mechanism):
     ]
     taper: Annotated[
         float,
-        Quantity("%", symbol="k_t", ge=0, le=1, default=0.0, source="constant tension", group=WEB,
+        Quantity("%", symbol="k_W", ge=0, le=1, default=0.0, source="constant tension", group=WEB,
                  about="taper: how much the tension falls towards a large diameter"),
     ]  # fmt: skip
     thickness: Annotated[
@@ -192,7 +192,7 @@ class Winder(Mechanism):
 
         def write(k: int, prefix: str) -> None:
             D = float(course.diameter[k])
-            tension = sheet(formulas.tapered_tension, key=f"{prefix}tension", F_W=self.tension, k_t=self.taper,
+            tension = sheet(formulas.tapered_tension, key=f"{prefix}tension", F_W=self.tension, k_W=self.taper,
                             D_K=self.core_diameter, D=D)  # fmt: skip
             force = [self._sense * tension, float(motion.process_force[k] * motion.direction[k])]
             if motion.acceleration[k] and motion.payload[k]:

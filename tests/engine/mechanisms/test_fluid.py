@@ -111,5 +111,5 @@ def test_what_does_not_fit_together(model: Any, values: dict[str, Any], field: s
 
 
 def test_drawings():
-    drawing_shows_fields([Fan], "fan.svg", {"Q", "Delta_p", "n_r", "J_R"})
-    drawing_shows_fields([Pump], "pump.svg", {"Q", "H", "H_st", "n_r"})
+    drawing_shows_fields([Fan], "fan.svg", {"Q", "p_t", "n_W", "J_R"})
+    drawing_shows_fields([Pump], "pump.svg", {"Q", "H", "H_st", "n_W"})
