@@ -252,8 +252,10 @@ class TravelDrive(Mechanism):
         against = (trailing + self.friction_force) * np.sign(np.abs(motion.mean_speed)) + resisting
         # what resists helps to brake and to hold: left out there, on the safe side
         against = np.where(_slowing(motion), 0.0, against) + helping
+        # the rails turn the wheels that are not driven: their share of the weight stands for their share of the inertia
+        turned = (1 - self.driven_share) * self.wheel_inertia / (self.wheel_diameter / 2) ** 2
         found: FloatArray = (
-            acceleration_force(vehicle.moved_mass(motion.payload), motion.acceleration)
+            acceleration_force(vehicle.moved_mass(motion.payload) + turned, motion.acceleration)
             + vehicle.constant_force(motion.payload, gravity)
             + against * motion.direction
         )

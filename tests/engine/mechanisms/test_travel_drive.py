@@ -89,6 +89,13 @@ def test_wind_slips_the_unladen_vehicle_first():
     assert checks["wheel_slip_start_unladen"].demanded == pytest.approx(450 + 700 + 60.3315)
 
 
+def test_the_rails_turn_the_wheels_that_are_not_driven():
+    """Half of 4 kg m2 at a radius of 0.125 m: 128 kg more for the driven wheels to accelerate at 0.3 m/s2."""
+    vehicle = TravelDrive.si(**SI, wheel_inertia=4.0, driven_share=0.5)
+    checks = {c.key: c for c in written(vehicle, there_laden_back_unladen(0.3)).checks}
+    assert checks["wheel_slip_start_unladen"].demanded == pytest.approx(450 + 128 * 0.3 + 60.3315)
+
+
 def test_a_slope_is_climbed_and_held():
     vehicle = TravelDrive.si(**SI, slope=0.05)
     found = loaded(vehicle, run((2, 0.5, 0), a=0.5))
