@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import numpy as np
 
@@ -10,8 +9,10 @@ from app.engine.cycle import FloatArray
 from app.engine.diagram import Diagram, Series, series
 from app.engine.resistor import PowerSegment
 
-SHIFTS = 240
-"""Shifts of each axis that are tried for the worst phase."""
+OVERLAP = 1e-6
+"""Time in which a power that falls and one that rises are made to meet in the worst phase [s]"""
+_SHORTEST = 1e-9
+"""Time between borders that are one and the same [s]"""
 
 
 @dataclass(frozen=True)
@@ -78,17 +79,24 @@ def common_cycles(axes: Sequence[AxisPower]) -> list[AxisPower] | None:
 
 def net_segments(axes: Sequence[AxisPower]) -> list[PowerSegment]:
     """The sum of all axes, segment by segment: what one of them returns another one may take."""
+    width, start, end = _net(axes)
+    return [
+        PowerSegment("all axes", *one) for one in zip(width.tolist(), start.tolist(), end.tolist(), strict=True)
+    ]  # fmt: skip
+
+
+def _net(axes: Sequence[AxisPower]) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Duration and power at both ends of every segment of the sum."""
     total = axes[0].cycle_time
     borders = np.unique(np.concatenate([[0.0, total], *[axis.borders() for axis in axes]]).round(12))
-    borders = borders[np.concatenate(([True], np.diff(borders) > 1e-9))]
-    found = []
-    for start, end in pairwise(borders.tolist()):
-        # straight inside, but it may jump at the borders: prolonged from two moments inside
-        quarter = np.array([start + (end - start) / 4, end - (end - start) / 4])
-        early, late = (float(one) for one in np.sum([axis.at(quarter) for axis in axes], axis=0))
-        rise = (late - early) / 2
-        found.append(PowerSegment("all axes", float(end - start), early - rise, late + rise))
-    return found
+    borders = borders[np.concatenate(([True], np.diff(borders) > _SHORTEST))]
+    width = np.diff(borders)
+    # straight inside, but it may jump at the borders: prolonged from two moments inside
+    early, late = np.sum(
+        [axis.at(np.stack((borders[:-1] + width / 4, borders[1:] - width / 4))) for axis in axes], axis=0
+    )
+    rise = (late - early) / 2
+    return width, early - rise, late + rise
 
 
 def returning_time(axes: Sequence[AxisPower]) -> float:
@@ -105,27 +113,45 @@ def returning_time(axes: Sequence[AxisPower]) -> float:
 def worst_phase(axes: Sequence[AxisPower]) -> tuple[list[AxisPower], float]:
     """Shifts at which the axes together take most power, and that power [W]; the first axis stays where it is.
 
-    One axis after another is shifted over the whole cycle; with two axes that finds the worst of all phases.
+    Power is straight in each segment, so every axis takes most at an end of a segment. Axes that may begin at any time
+    are shifted until all these moments meet; no phase takes more than all of them together. Where one power falls away
+    just after its moment and another one rises to it just before, they overlap by ``OVERLAP``: the power returned is
+    the one that is approached as this becomes shorter.
     """
+    tops = [_strongest(axis) for axis in axes]
+    power = sum(top.power for top in tops)
+    if _largest(axes) >= power - 1e-9 * sum(abs(top.power) for top in tops):
+        return list(axes), power
+    first = axes[0].shift + tops[0].moment
     placed = [axes[0]]
-    for axis in axes[1:]:
-        shifts = np.linspace(0.0, axis.cycle_time, SHIFTS, endpoint=False)
-        trials = [replace(axis, shift=float(shift)) for shift in {*shifts.tolist(), *_meetings(placed, axis)}]
-        placed.append(max(trials, key=lambda one: _peak([*placed, one])))
-    return placed, _peak(placed)
+    for axis, top in zip(axes[1:], tops[1:], strict=True):
+        apart = (0.0 if top.rises == tops[0].rises else OVERLAP) * (1 if tops[0].rises else -1)
+        placed.append(replace(axis, shift=float(np.mod(first - apart - top.moment, axis.cycle_time))))
+    return placed, power
 
 
-def _peak(axes: Sequence[AxisPower]) -> float:
-    return max(max(one.start, one.end) for one in net_segments(axes))
+@dataclass(frozen=True)
+class _Strongest:
+    """Where an axis takes most."""
+
+    power: float
+    """[W]"""
+    moment: float
+    """In its own cycle [s]"""
+    rises: bool
+    """Whether that power is reached from before the moment, so that it may be gone after it."""
 
 
-def _meetings(placed: Sequence[AxisPower], axis: AxisPower) -> list[float]:
-    """Shifts at which the strongest moment of an axis falls on that of one that is placed."""
-    own = float(axis.time[int(np.argmax(axis.end)) + 1])
-    return [
-        float(np.mod(other.time[int(np.argmax(other.end)) + 1] + other.shift - own, axis.cycle_time))
-        for other in placed
-    ]
+def _strongest(axis: AxisPower) -> _Strongest:
+    start, end = int(np.argmax(axis.start)), int(np.argmax(axis.end))
+    if axis.end[end] >= axis.start[start]:
+        return _Strongest(float(axis.end[end]), float(axis.time[end + 1]), rises=True)
+    return _Strongest(float(axis.start[start]), float(axis.time[start]), rises=False)
+
+
+def _largest(axes: Sequence[AxisPower]) -> float:
+    _, start, end = _net(axes)
+    return float(max(start.max(), end.max()))
 
 
 def power_diagram(axes: Sequence[AxisPower]) -> Diagram:

@@ -21,6 +21,7 @@ from app.services.sizing import Headline, Sizing, SizingService, refusals
 
 HEADLINES = ("supply_peak_current", "supply_mean_current", "supply_peak_power", "mean_braking_power", "braking_peak",
              "permitted_ambient")  # fmt: skip
+ONLY_SERVO = "needs a servo drive: only servo axes stand on a supply module"
 
 
 class AxisOnSupply(Declared):
@@ -123,12 +124,14 @@ class MultiAxisService:
 
 
 def _power(index: int, sizing: Sizing, start: float) -> AxisPower:
-    """Power of one axis over its cycle."""
-    points = sizing.drive.cycle
-    path = ("axes", index, "sizing", "drive")
+    """Power of one axis over its cycle. Raises InvalidInputError where it is no servo axis, or its data lack."""
+    drive, path = sizing.drive, ("axes", index, "sizing", "drive")
+    if not isinstance(drive, ServoResult):
+        raise InvalidInputError([FieldError((*path, "kind"), ONLY_SERVO, sizing.asked.drive.kind)])
+    points = drive.cycle
     if points is None or points.torque is None:
-        message = "needs a servo drive or an inverter-fed motor whose gear unit has efficiency and inertia"
-        raise InvalidInputError([FieldError((*path, "kind"), message, sizing.asked.drive.kind)])
+        message = "its efficiency and inertia must be known on a common supply"
+        raise InvalidInputError([FieldError((*path, "gear_unit"), message, None)])
     slows = np.abs(points.speed_end) < np.abs(points.speed_start)
     name = sizing.asked.name or f"axis {index + 1}"
     return AxisPower(
@@ -140,8 +143,7 @@ def _power(index: int, sizing: Sizing, start: float) -> AxisPower:
 def _supply_axis(index: int, sizing: Sizing, power: AxisPower, request: MultiAxisRequest) -> SupplyAxis:
     """One axis as the supply sees it. Raises InvalidInputError where its currents are not known."""
     drive, path = sizing.drive, ("axes", index, "sizing", "drive")
-    if not isinstance(drive, ServoResult):
-        raise InvalidInputError([FieldError((*path, "kind"), "only servo axes stand on a supply module", None)])
+    assert isinstance(drive, ServoResult)
     currents = drive.currents
     if currents.peak is None or currents.effective is None or not sizing.sheet.has("mean_torque"):
         message = f"its currents are not known: {currents.missing or 'motor'}"

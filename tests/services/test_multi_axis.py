@@ -2,11 +2,13 @@
 
 import copy
 import math
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from app.db.session import make_engine, session_factory
+from app.engine.drives.own import OwnGearUnit
 from app.engine.sheet import Verdict
 from app.services.catalogue import CatalogueCache
 from app.services.errors import InvalidInputError
@@ -234,6 +236,16 @@ def test_a_drive_without_known_currents_is_refused(drive: dict[str, Any], name: 
     ((found, message, _),) = refusals({"axes": [axis(), bad]})
     assert found == name
     assert word in message
+    assert "inverter" not in message  # no kind may be named that is refused as well
+
+
+def test_a_gear_unit_without_inertia_is_refused_there(monkeypatch: pytest.MonkeyPatch):
+    """As the catalogue has them; a typed one has no such gap."""
+    typed = OwnGearUnit.product
+    monkeypatch.setattr(OwnGearUnit, "product", lambda own: replace(typed(own), inertia=None))
+    ((name, message, _),) = refusals({"axes": [axis()]})
+    assert name == "axes.0.sizing.drive.gear_unit"
+    assert "inertia" in message
 
 
 @pytest.mark.parametrize("dwell", [5.0, 8.0, 4.01])

@@ -1,5 +1,6 @@
 """Induction motor on an inverter: torque, field weakening, cooling, currents, braking resistor."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Annotated, ClassVar, Literal
 
@@ -8,6 +9,7 @@ import numpy as np
 from app.engine.cycle import LoadCycle
 from app.engine.drives.base import DriveModel, DriveResult, Given, ShaftPoints
 from app.engine.drives.inverter_limits import (
+    ROTOR_MISSING,
     InverterCase,
     check_currents,
     check_frequency,
@@ -17,7 +19,7 @@ from app.engine.drives.inverter_limits import (
 from app.engine.drives.line_fed import LineFed, motor_data
 from app.engine.drives.mains import record_brake_duty
 from app.engine.drives.mains_motion import Stop, check_slip, record_brake_limit, record_stop
-from app.engine.drives.mains_rules import MotorRules
+from app.engine.drives.mains_rules import CHECK_NAMES, MotorRules
 from app.engine.drives.parts import (
     BrakingResistorChoice,
     InductionMotorChoice,
@@ -30,7 +32,7 @@ from app.engine.formulas.conversion import speed_before_ratio
 from app.engine.gear import Transmission
 from app.engine.quantity import Option, Quantity
 from app.engine.resistor import check_resistor, record_braking
-from app.engine.sheet import Sheet
+from app.engine.sheet import Check, Sheet
 
 HEADLINES = ("motor_speed_max", "peak_torque", "effective_torque", "torque_ratio", "highest_frequency",
              "mean_braking_power", "peak_braking_power")  # fmt: skip
@@ -45,9 +47,10 @@ class InverterFedDrive(MotorRules, DriveModel):
 
     kind: Literal["inverter_fed"] = "inverter_fed"
     torque_limit: Annotated[
-        float,
-        Quantity("%", symbol="k_H", gt=0, le=4, default=1.3, source="SEW 2001, 8.4: 150 % current gives 130 % torque",
-                 group=_GROUP, about="torque that the inverter lets the motor give, over rated torque"),
+        float | None,
+        Quantity("%", symbol="k_H", gt=0, le=4, default=None, group=_GROUP,
+                 about="torque that the inverter lets the motor give, over rated torque; empty: 150 %, and 130 % "
+                 "below a quarter of rated speed"),
     ]  # fmt: skip
     knee_frequency: Annotated[
         float | None,
@@ -108,23 +111,21 @@ class InverterFedDrive(MotorRules, DriveModel):
         with sheet.section("Power on the motor shaft"):
             record_powers(shaft, given.load.cycle, sheet)
         case = InverterCase(rules=self, line=line, shaft=shaft, data=data, inverter=given.product("inverter"))
+        if line.motor is not None and case.torque_missing:
+            sheet.assume("drive.motor.rotor_inertia", "the rotor inertia is not known and left out of what is shown",
+                         value=0.0, unit="kg m2", symbol="J_M", source=line.motor.source)  # fmt: skip
         if data is not None:
             line.record_gear_unit(data, sides, sheet, highest_speed=shaft.max_speed)
             check_torque(case, sheet)
             check_frequency(case, sheet)
             check_currents(case, sheet)
         self._record_stops(line, shaft, given.load.cycle, sheet)
-        self._check_resistor(given, shaft, sheet)
-        return DriveResult(
-            ratio=line.ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES,
-            cycle=_points(shaft, given.load.cycle),
-            opposite=None if given.load.opposite is None else _points(shaft, given.load.opposite),
-            limits=case.limits, mean_speed=shaft.mean_speed, effective_torque=shaft.effective_torque,
-            peak_torque=shaft.peak_torque,
-        )  # fmt: skip
+        line.check_holding(sheet)
+        self._check_resistor(given, case, sheet)
+        return _result(case, sheet.checks[first:])
 
-    def _check_resistor(self, given: Given, shaft: MotorShaft, sheet: Sheet) -> None:
-        cycle, resistor = given.load.cycle, given.product("braking_resistor")
+    def _check_resistor(self, given: Given, case: InverterCase, sheet: Sheet) -> None:
+        cycle, resistor, shaft = given.load.cycle, given.product("braking_resistor"), case.shaft
         with sheet.section("Braking resistor"):
             braking = record_braking(sheet, power_segments(shaft, cycle), cycle.cycle_time)
             if braking is None:
@@ -132,11 +133,19 @@ class InverterFedDrive(MotorRules, DriveModel):
             if resistor is None:
                 sheet.decide("No braking resistor is checked", "none is chosen")
                 return
+            if case.torque_missing:
+                sheet.check("resistor_mean_power", "Braking resistor: mean power while braking", None, None, "kW",
+                            "braking resistor: data sheet", missing=case.torque_missing)  # fmt: skip
+                return
             check_resistor(sheet, braking, resistor, cycle_time=cycle.cycle_time, chopper_limit=self.chopper_limit)
 
     def _record_stops(self, line: LineFed, shaft: MotorShaft, cycle: LoadCycle, sheet: Sheet) -> None:
-        """Stops by the brake out of creep speed, in every state of the load."""
+        """Stops by the brake out of creep speed, and out of full speed when the mains fail, in every state."""
         if line.brake is None:
+            return
+        if line.motor is not None and line.motor_inertia is None:
+            sheet.check("brake_stops", CHECK_NAMES["brake_stops"], None, None, "N m", "brake: data sheet",
+                        missing=ROTOR_MISSING)  # fmt: skip
             return
         creep = _creep_speed(shaft, cycle)
         if creep:
@@ -145,14 +154,20 @@ class InverterFedDrive(MotorRules, DriveModel):
                 sheet(speed_before_ratio, key="creep_motor_speed", label="Creep speed of the motor",
                       omega=creep / ratio, i=ratio)  # fmt: skip
         stops: dict[str, Stop] = {}
-        for side in line.sides() if creep else ():
-            with sheet.section(f"Braking from creep speed: {side.state.label}"):
-                found = record_stop(sheet, side, line.brake, creep, falls=line.hangs)
-                if found is not None:
-                    stops[side.state.key] = found
-                    check_slip(sheet, side, found.deceleration, "slip_braking")
-                    record_brake_limit(sheet, side, line.brake, creep)
-        record_brake_duty(line, stops, line.sides(), sheet)
+        failures: list[Stop | None] = []
+        for side in line.sides():
+            full = side.state.speed * side.ratio
+            if creep:
+                with sheet.section(f"Braking from creep speed: {side.state.label}"):
+                    part = side.between(0.0, min(creep / full, 1.0))
+                    found = record_stop(sheet, part, line.brake, creep, gravity=line.gravity)
+                    if found is not None:
+                        stops[side.state.key] = found
+                        check_slip(sheet, side, found.deceleration, "slip_braking")
+                        record_brake_limit(sheet, part, line.brake, creep)
+            with sheet.section(f"Mains failure: {side.state.label}"):
+                failures.append(record_stop(sheet, side, line.brake, full, gravity=line.gravity, name="_emergency"))
+        record_brake_duty(line, stops, failures, line.sides(), sheet)
 
 
 def _transmission(rules: InverterFedDrive, line: LineFed) -> Transmission:
@@ -162,11 +177,22 @@ def _transmission(rules: InverterFedDrive, line: LineFed) -> Transmission:
     return Transmission(gear, rules.flywheel_inertia, line.environment.regeneration)
 
 
-def _points(shaft: MotorShaft, cycle: LoadCycle) -> ShaftPoints:
-    ratio = shaft.transmission.ratio
+def _result(case: InverterCase, checks: Sequence[Check]) -> DriveResult:
+    shaft, load, known = case.shaft, case.shaft.load, not case.torque_missing
+    return DriveResult(
+        ratio=case.line.ratio, checks=tuple(checks), headlines=HEADLINES, cycle=_points(case, load.cycle),
+        opposite=None if load.opposite is None else _points(case, load.opposite), limits=case.limits,
+        mean_speed=shaft.mean_speed, effective_torque=shaft.effective_torque if known else None,
+        peak_torque=shaft.peak_torque if known else None,
+    )  # fmt: skip
+
+
+def _points(case: InverterCase, cycle: LoadCycle) -> ShaftPoints:
+    shaft, ratio = case.shaft, case.shaft.transmission.ratio
     return ShaftPoints(
         time=np.concatenate(([0.0], np.cumsum(cycle.duration))), speed_start=cycle.speed_start * ratio,
-        speed_end=cycle.speed_end * ratio, torque=shaft.torque(cycle), label=cycle.label,
+        speed_end=cycle.speed_end * ratio, torque=None if case.torque_missing else shaft.torque(cycle),
+        label=cycle.label,
     )  # fmt: skip
 
 

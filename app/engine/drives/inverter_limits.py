@@ -18,6 +18,13 @@ from app.engine.sheet import Sheet
 if TYPE_CHECKING:
     from app.engine.drives.inverter_fed import InverterFedDrive
 
+TORQUE_LIMIT = 1.5
+STARTING_LIMIT = 1.3
+STARTING_RANGE = 0.25
+"""Share of rated speed below which the torque limit of starting holds."""
+LIMIT_SOURCE = "SEW 2001, 8.4: 150 % current"
+STARTING_SOURCE = "SEW 2001, 8.4: while starting, 150 % current gives 130 % torque"
+ROTOR_MISSING = "rotor inertia of the motor"
 HOIST_FREQUENCY = 70.0
 HOIST_SOURCE = "SEW 2001, 9.2: hoists reach their speed at 70 Hz"
 OVERLOAD = 1.5
@@ -38,6 +45,10 @@ class InverterLimits:
     breakdown: float | None
     """Breakdown torque at the knee divided by the reserve that must remain [N m]"""
     max_speed: float | None
+    starting_peak: float | None = None
+    """Torque limit over rated torque below ``starting_speed``; None: none of its own."""
+    starting_speed: float = 0.0
+    """[rad/s]"""
 
     def continuous(self, speed: FloatArray) -> FloatArray:
         """Rated torque at a speed: constant, above the knee with 1/f."""
@@ -50,6 +61,9 @@ class InverterLimits:
         if self.breakdown is not None:
             weak = np.maximum(np.abs(speed) / self.rated_speed, 1.0)
             found = np.where(weak > 1.0, np.minimum(found, self.breakdown / weak**2), found)
+        if self.starting_peak is not None:
+            slow = np.abs(speed) < self.starting_speed * (1 - 1e-9)
+            found = np.where(slow, self.starting_peak * self.continuous(speed), found)
         return np.asarray(found, dtype=float)
 
     def peak_points(self) -> Points:
@@ -64,7 +78,8 @@ class InverterLimits:
 
     def _speeds(self) -> FloatArray:
         top = max(self.max_speed or 0.0, 1.5 * self.rated_speed)
-        return np.concatenate(([0.0], np.linspace(self.rated_speed, top, 24)))
+        corner = [] if self.starting_peak is None else [self.starting_speed * (1 - 1e-6), self.starting_speed]
+        return np.concatenate(([0.0], corner, np.linspace(self.rated_speed, top, 24)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,12 +110,20 @@ class InverterCase:
         """Torque over speed; None without a motor."""
         if self.data is None:
             return None
-        ratio = self.data.winding.breakdown_torque_ratio
+        ratio, own = self.data.winding.breakdown_torque_ratio, self.rules.torque_limit
         return InverterLimits(
-            rated_torque=self.data.rated_torque, rated_speed=self.knee_speed, peak=self.rules.torque_limit,
+            rated_torque=self.data.rated_torque, rated_speed=self.knee_speed, peak=TORQUE_LIMIT if own is None else own,
             breakdown=None if ratio is None else ratio * self.data.rated_torque / self.rules.breakdown_reserve,
-            max_speed=self.shaft.max_speed,
+            max_speed=self.shaft.max_speed, starting_peak=STARTING_LIMIT if own is None else None,
+            starting_speed=STARTING_RANGE * self.data.rated_speed,
         )  # fmt: skip
+
+    @property
+    def torque_missing(self) -> str:
+        """What lacks for torques of a motor that accelerates; empty when nothing does, or no motor is chosen."""
+        if self.line.motor is None or self.line.motor_inertia is not None:
+            return ""
+        return ROTOR_MISSING if self.shaft.hull.max_acceleration > 0 else ""
 
 
 def record_powers(shaft: MotorShaft, cycle: LoadCycle, sheet: Sheet) -> None:
@@ -119,23 +142,45 @@ def check_torque(case: InverterCase, sheet: Sheet) -> None:
     """Peak torque against the torque limit at every speed, effective torque against rated torque at mean speed."""
     assert case.limits is not None
     assert case.data is not None
+    lacking = case.torque_missing
     with sheet.section("Motor"):
+        if case.rules.torque_limit is None:
+            _assume_limits(sheet)
         sheet(formulas.torque_ratio, M=case.shaft.peak_torque, M_N=case.data.rated_torque)
-        worst, demanded, permitted = 0.0, case.shaft.peak_torque, case.rules.torque_limit * case.data.rated_torque
-        for cycle in case.shaft.cycles:
-            torque = np.abs(case.shaft.torque(cycle))
-            for speeds in (cycle.speed_start, cycle.speed_end):
-                allowed = case.limits.largest(speeds * case.shaft.transmission.ratio)
-                k = int(np.argmax(torque / allowed))
-                if torque[k] / allowed[k] > worst:
-                    worst, demanded, permitted = float(torque[k] / allowed[k]), float(torque[k]), float(allowed[k])
+        demanded, permitted = (None, None) if lacking else _worst_torque(case, case.limits)
         sheet.check("torque_limit", "Torque of the motor on the inverter", demanded, permitted, "N m",
-                    "SEW 2001, 3.4 and 8.4: torque limit, breakdown reserve in field weakening")  # fmt: skip
+                    "SEW 2001, 3.4 and 8.4: torque limit, breakdown reserve in field weakening",
+                    missing=lacking)  # fmt: skip
         effective, mean = case.shaft.effective_torque, np.array(case.shaft.mean_speed)
-        sheet.check("effective_torque", "Effective torque at mean speed", effective,
+        sheet.check("effective_torque", "Effective torque at mean speed", None if lacking else effective,
                     float(case.limits.continuous(mean)), "N m", "motor: rated torque, above the knee with 1/f",
-                    formula="effective_torque")  # fmt: skip
+                    formula="effective_torque", missing=lacking)  # fmt: skip
         _check_cooling(case, sheet)
+
+
+def _assume_limits(sheet: Sheet) -> None:
+    """Say which torque limits count where the user gives none."""
+    text = "torque that the inverter lets the motor give, over rated torque"
+    for key, where, value, source in (
+        ("torque_limit_percent", "from a quarter of rated speed on", TORQUE_LIMIT, LIMIT_SOURCE),
+        ("torque_limit_percent.starting", "below a quarter of rated speed", STARTING_LIMIT, STARTING_SOURCE),
+    ):
+        sheet.assume(f"drive.{key}", f"{text}, {where}", value=value, unit="%", symbol="k_H", source=source)
+
+
+def _worst_torque(case: InverterCase, limits: InverterLimits) -> tuple[float, float]:
+    """Torque and its limit at that end of a segment where most of the limit is used [N m]."""
+    worst, found = 0.0, (case.shaft.peak_torque, limits.peak * limits.rated_torque)
+    for cycle in case.shaft.cycles:
+        torque = np.abs(case.shaft.torque(cycle))
+        turns = cycle.speed_start * cycle.speed_end < 0
+        # a segment that turns round passes standstill, where the limit may be lower than at both ends
+        for speeds in (cycle.speed_start, cycle.speed_end, np.where(turns, 0.0, cycle.speed_start)):
+            allowed = limits.largest(speeds * case.shaft.transmission.ratio)
+            k = int(np.argmax(torque / allowed))
+            if torque[k] / allowed[k] > worst:
+                worst, found = float(torque[k] / allowed[k]), (float(torque[k]), float(allowed[k]))
+    return found
 
 
 def _check_cooling(case: InverterCase, sheet: Sheet) -> None:
@@ -154,9 +199,10 @@ def _check_cooling(case: InverterCase, sheet: Sheet) -> None:
     power = sheet(shaft_power, key="effective_power", label="Effective torque at the highest steady speed", unit="kW",
                   M=case.shaft.effective_torque, omega=float(steady.max()) * ratio)  # fmt: skip
     limit = case.rules.reduced_power
-    sheet.check("reduced_power", "Power with own fan over the speed range", power, limit, "kW", COOLING_SOURCE,
-                formula="shaft_power",
-                missing="" if limit is not None else "rating of the next smaller motor")  # fmt: skip
+    lacking = [case.torque_missing, "" if limit is not None else "rating of the next smaller motor"]
+    demanded = None if case.torque_missing else power
+    sheet.check("reduced_power", "Power with own fan over the speed range", demanded, limit, "kW", COOLING_SOURCE,
+                formula="shaft_power", missing=", ".join(filter(None, lacking)))  # fmt: skip
 
 
 def check_frequency(case: InverterCase, sheet: Sheet) -> None:
@@ -197,8 +243,10 @@ def _record_weakening(case: InverterCase, highest: float, sheet: Sheet) -> None:
     torque = _largest_torque_above(case)
     if torque > 0:
         found = sheet(formulas.breakdown_reserve, M_K=M_K, M=torque)
-        sheet.check("breakdown_reserve", "Reserve of the breakdown torque", case.rules.breakdown_reserve, found, "1",
-                    "SEW 2001, 3.4", formula="breakdown_reserve")  # fmt: skip
+        lacking = case.torque_missing
+        sheet.check("breakdown_reserve", "Reserve of the breakdown torque", case.rules.breakdown_reserve,
+                    None if lacking else found, "1", "SEW 2001, 3.4", formula="breakdown_reserve",
+                    missing=lacking)  # fmt: skip
 
 
 def _largest_torque_above(case: InverterCase) -> float:
@@ -239,5 +287,6 @@ def check_currents(case: InverterCase, sheet: Sheet) -> None:
         k_T = sheet(torque_constant, M=data.rated_torque, I=I_N)
         current = sheet(motor_current, key="peak_current", symbol="I_peak", label="Current of one motor at peak torque",
                         M=case.shaft.peak_torque, k_T=k_T)  # fmt: skip
-        sheet.check("inverter_peak_current", "Inverter: peak current", number * current, peak, "A", source,
-                    formula="motor_current")  # fmt: skip
+        lacking = case.torque_missing
+        sheet.check("inverter_peak_current", "Inverter: peak current", None if lacking else number * current, peak,
+                    "A", source, formula="motor_current", missing=lacking)  # fmt: skip

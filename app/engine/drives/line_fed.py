@@ -7,11 +7,11 @@ from app.engine.drives.base import Given
 from app.engine.drives.gear_service import GearCase, record_gear_service
 from app.engine.drives.mains_motion import Brake
 from app.engine.drives.mains_rules import CHECK_NAMES, BrakingRules, MotorRules
-from app.engine.drives.mains_shaft import MotorSide
+from app.engine.drives.mains_shaft import Gravity, MotorSide
 from app.engine.environment import RATED_ALTITUDE, RATED_AMBIENT, Environment
 from app.engine.formulas import induction as run
 from app.engine.formulas.braking import brake_torque_ratio
-from app.engine.formulas.conversion import torque_before_ratio, travel_before_ratio
+from app.engine.formulas.conversion import sum_of_torques, torque_before_ratio, travel_before_ratio
 from app.engine.formulas.efficiency import driving_stage_torque, retrograde_efficiency, returning_stage_torque
 from app.engine.formulas.servo import shaft_power
 from app.engine.mechanisms.load import Load
@@ -31,7 +31,14 @@ class MotorData:
     synchronous_speed: float
     rated_torque: float
     run_up: float | None
-    """Mean run-up torque M_H [N m]; None where the source does not give it."""
+    """Mean run-up torque M_H as it is started, in star a third [N m]; None where the source does not give it."""
+    full_run_up: float | None
+    """The same as it is connected in steady running [N m]"""
+
+    @property
+    def star(self) -> bool:
+        """Whether it runs up in star."""
+        return self.run_up != self.full_run_up
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,6 +80,11 @@ class LineFed:
         """Whether gravity moves the axis when nothing holds it."""
         largest = max(abs(self.load.statics.forward), abs(self.load.statics.backward), 1e-12)
         return abs(self.load.statics.holding) > 1e-9 * largest
+
+    @property
+    def gravity(self) -> Gravity | None:
+        """What pulls at the load while nothing holds it; None where nothing does."""
+        return Gravity(self.load.states, self.load.statics) if self.hangs else None
 
     @property
     def cycle_time(self) -> float:
@@ -176,33 +188,41 @@ class LineFed:
             rated_torque=data.rated_torque, external_inertia=max((s.external_inertia for s in sides), default=None),
             motor_inertia=None if self.motor_inertia is None else self.motor_inertia + flywheel,
             efficiency=self.gear_efficiency, ambient=self.environment.ambient_temperature, duty=self.duty,
-            run_up_torque=data.run_up, highest_speed=highest_speed,
+            run_up_torque=data.full_run_up, highest_speed=highest_speed,
         )  # fmt: skip
         record_gear_service(case, sheet)
 
     def check_holding(self, sheet: Sheet) -> None:
-        """Check the brake against the torque that holds the load at standstill, where gravity pulls."""
-        if not self.hangs or self.brake_product.torque is None:
+        """Check the brake against the torque that holds the load at standstill, where gravity pulls.
+
+        The check is always there on such an axis: without a torque of the brake it is not made, and says so.
+        """
+        if not self.hangs:
             return
-        label = "Torque that holds the load, on the motor shaft"
-        torque = sheet(torque_before_ratio, key="holding_torque_on_motor", symbol="M_hold", label=label,
-                       M=self.load.statics.holding, i=self.ratio)  # fmt: skip
-        sheet(brake_torque_ratio, M_B=self.brake_product.torque, M_L=torque)
-        static = max(abs(sheet.value(f"{state.key}_static_torque")) for state in self.load.states)
-        label = "How often the brake has the largest steady torque of the motor"
-        sheet(brake_torque_ratio, key="brake_torque_to_static_torque", label=label, M_B=self.brake_product.torque,
-              M_L=static)  # fmt: skip
-        demanded = abs(torque) * self.rules.holding_reserve
-        sheet.check("brake_holding", CHECK_NAMES["brake_holding"], demanded, self.brake_product.torque, "N m",
-                    "brake: data sheet", formula="torque_before_ratio")  # fmt: skip
+        with sheet.section("Brake"):
+            label, M_B = "Torque that holds the load, on the motor shaft", self.brake_product.torque
+            torque = sheet(torque_before_ratio, key="holding_torque_on_motor", symbol="M_hold", label=label,
+                           M=self.load.statics.holding, i=self.ratio)  # fmt: skip
+            if M_B is not None:
+                sheet(brake_torque_ratio, M_B=M_B, M_L=torque)
+                static = max(
+                    (abs(sheet.value(f"{state.key}_static_torque")) for state in self.load.states), default=0.0
+                )
+                if static > 0:
+                    label = "How often the brake has the largest steady torque of the motor"
+                    sheet(brake_torque_ratio, key="brake_torque_to_static_torque", label=label, M_B=M_B, M_L=static)
+            demanded = abs(torque) * self.rules.holding_reserve
+            sheet.check("brake_holding", CHECK_NAMES["brake_holding"], demanded, M_B, "N m", "brake: data sheet",
+                        formula="torque_before_ratio",
+                        missing="" if M_B is not None else "brake with its torque")  # fmt: skip
 
 
 def motor_data(
-    line: LineFed, winding: Winding, sheet: Sheet, name: str = "", *, starts: bool = True
+    line: LineFed, winding: Winding, sheet: Sheet, name: str = "", *, starts: bool = True, star: bool = False
 ) -> MotorData | None:
     """Torques and speeds of one winding; None where the source gives no rated speed, with a check that says so.
 
-    ``starts``: whether the motor starts by itself, so that its run-up torque is needed.
+    ``starts``: whether the motor starts by itself, so that its run-up torque is needed; ``star``: whether in star.
     """
     if winding.rated_speed is None:
         sheet.check("static_power", CHECK_NAMES["static_power"], None, None, "kW", "motor: data sheet",
@@ -210,7 +230,7 @@ def motor_data(
         return None
     with sheet.section(f"Motor{name.replace('_', ' ')}"):
         sync = sheet(run.synchronous_speed, key=f"synchronous_speed{name}", f_1=winding.frequency, z_p=winding.poles)
-        M_N = sheet(run.rated_torque, key=f"rated_torque{name}", P_N=winding.rated_power, n_N=winding.rated_speed)
+        M_N = record_rated_torque(winding, winding.rated_speed, sheet, name)
         M_H = winding.run_up_torque
         if M_H is None and winding.run_up_torque_ratio is not None:
             M_H = sheet(run.run_up_torque, key=f"run_up_torque{name}", r_H=winding.run_up_torque_ratio, M_N=M_N)
@@ -220,7 +240,20 @@ def motor_data(
         if line.motor_inertia is None:
             sheet.check(f"run_up_inertia{name}", CHECK_NAMES["run_up_torque"], None, None, "N m", "motor: data sheet",
                         missing="rotor inertia of the motor")  # fmt: skip
-    return MotorData(winding, winding.rated_speed, sync, M_N, M_H)
+        full = M_H
+        if M_H is not None and star:
+            M_H = sheet(run.star_run_up_torque, key=f"star_run_up_torque{name}", M_H=M_H)
+            sheet.decide("The motor runs up in star, with a third of its torque, and changes over to delta",
+                         "star-delta starting is chosen; its power in steady running is unchanged")  # fmt: skip
+    return MotorData(winding, winding.rated_speed, sync, M_N, M_H, full)
+
+
+def record_rated_torque(winding: Winding, rated_speed: float, sheet: Sheet, name: str = "") -> float:
+    """Rated torque of a winding [N m]: as its data sheet gives it, else from power and speed."""
+    if winding.rated_torque is None:
+        return sheet(run.rated_torque, key=f"rated_torque{name}", P_N=winding.rated_power, n_N=rated_speed)
+    label = "Rated torque of the motor, from its data sheet"
+    return sheet(sum_of_torques, key=f"rated_torque{name}", symbol="M_N", label=label, M_k=[winding.rated_torque])
 
 
 def _gear_efficiency(rules: MotorRules, gear: GearUnit | None, sheet: Sheet) -> float:

@@ -1,6 +1,6 @@
 """Line-fed induction motor: one speed, started by a contactor, stopped by a brake."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar, Literal
 
 from app.engine.drives.base import DriveModel, DriveResult, Given
@@ -24,7 +24,7 @@ from app.engine.formulas import induction as run
 from app.engine.formulas.conversion import linear_speed
 from app.engine.sheet import Sheet
 
-HEADLINES = ("rated_torque", "run_up_torque", "permissible_cycles", "brake_life")
+HEADLINES = ("rated_torque", "run_up_torque", "star_run_up_torque", "permissible_cycles", "brake_life")
 
 
 class MainsDrive(LineFedRules, DriveModel):
@@ -44,7 +44,8 @@ class MainsDrive(LineFedRules, DriveModel):
         line = LineFed.of(self, given, sheet)
         first = len(sheet.checks)
         winding = None if line.motor is None else line.motor.windings[-1]
-        data = motor_data(line, winding, sheet) if winding is not None else None
+        star = self.starting == "star_delta"
+        data = motor_data(line, winding, sheet, star=star) if winding is not None else None
         sides = line.sides()
         for side in sides:
             with sheet.section(f"Load on the motor shaft: {side.state.label}"):
@@ -56,10 +57,11 @@ class MainsDrive(LineFedRules, DriveModel):
         diagrams: tuple[Any, ...] = ()
         if data is not None and data.run_up is not None and line.motor_inertia is not None:
             starts = _record_starts(line, data, data.run_up, sides, sheet)
-            record_heating(line, data, data.run_up, [side for side in sides if side.state.key in starts], sheet)
+            record_heating(line, data, data.run_up, sides, starts, sheet)
             if line.brake is not None:
                 _record_stops(line, data, line.brake, sides, sheet)
             diagrams = (run_up_diagram(data, sides),)
+        line.check_holding(sheet)
         return DriveResult(ratio=line.ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES, diagrams=diagrams)
 
 
@@ -85,22 +87,25 @@ def _record_starts(line: LineFed, data: MotorData, M_H: float, sides: Sequence[M
 def _record_stops(line: LineFed, data: MotorData, brake: Brake, sides: Sequence[MotorSide], sheet: Sheet) -> None:
     """Stopping in every state, then brake work and life over the cycle."""
     stops: dict[str, Stop] = {}
+    failures: list[Stop | None] = []
     for side in sides:
         with sheet.section(f"Braking: {side.state.label}"):
-            found = record_stop(sheet, side, brake, running_speed(data, side), falls=line.hangs)
+            found = record_stop(sheet, side, brake, running_speed(data, side), gravity=line.gravity)
             if found is None:
                 continue
             stops[side.state.key] = found
             check_slip(sheet, side, found.deceleration, "slip_braking")
             record_brake_limit(sheet, side, brake, running_speed(data, side))
         if side.driven_by_load:
-            record_emergency_stop(line, data, brake, side, sheet)
-    record_brake_duty(line, stops, sides, sheet)
+            failures.append(record_emergency_stop(line, data, brake, side, sheet))
+    record_brake_duty(line, stops, failures, sides, sheet)
 
 
-def record_emergency_stop(line: LineFed, data: MotorData, brake: Brake, side: MotorSide, sheet: Sheet) -> None:
-    """A stop out of the speed that the load drives the motor to, above the synchronous one: when the mains fail."""
+def record_emergency_stop(line: LineFed, data: MotorData, brake: Brake, side: MotorSide, sheet: Sheet) -> Stop | None:
+    """A stop out of full speed, when the mains fail: where the load drives, above the synchronous speed."""
     with sheet.section(f"Mains failure: {side.state.label}"):
+        if not side.driven_by_load:
+            return record_stop(sheet, side, brake, data.rated_speed, gravity=line.gravity, name="_emergency")
         losses = side.factor(driving=False)
         speed = sheet(
             run.oversynchronous_speed, key=f"{side.state.key}_oversynchronous_speed", n_S=data.synchronous_speed,
@@ -108,11 +113,17 @@ def record_emergency_stop(line: LineFed, data: MotorData, brake: Brake, side: Mo
         )  # fmt: skip
         label = "Speed of the load when it drives the motor"
         sheet(linear_speed, key=f"{side.state.key}_oversynchronous_load_speed", label=label, omega=speed, A=side.travel)
-        record_stop(sheet, side, brake, speed, falls=line.hangs, name="_emergency")
+        return record_stop(sheet, side, brake, speed, gravity=line.gravity, name="_emergency")
 
 
-def record_brake_duty(line: LineFed, stops: dict[str, Stop], sides: Sequence[MotorSide], sheet: Sheet) -> None:
-    """Work and life of the brake, stopping accuracy, and holding."""
+def record_brake_duty(
+    line: LineFed, stops: dict[str, Stop], failures: Iterable[Stop | None], sides: Sequence[MotorSide], sheet: Sheet
+) -> None:
+    """Work and life of the brake, and stopping accuracy.
+
+    ``stops`` by state are those of every cycle; ``failures`` are stops after a failure of the mains, which wear out
+    little but must be borne.
+    """
     assert line.brake is not None
     with sheet.section("Brake"):
         source = "brake: data sheet"
@@ -122,12 +133,12 @@ def record_brake_duty(line: LineFed, stops: dict[str, Stop], sides: Sequence[Mot
                 sheet.check(f"stopping_accuracy_{side.state.key}", f"{CHECK_NAMES['stopping_accuracy']}: "
                             f"{side.state.label}", found.distance * line.brake.tolerance, line.rules.accuracy, "mm",
                             "own demand", formula="stopping_accuracy")  # fmt: skip
-        if stops:
-            largest = max(one.work for one in stops.values())
+        works = [one.work for one in (*stops.values(), *failures) if one is not None]
+        if works:
+            largest = max(works)
             limit = line.brake_product.max_work_per_operation
             sheet.check("brake_work", CHECK_NAMES["brake_work"], largest, limit, "J", source, formula="braking_work",
                         missing="" if limit is not None else "permitted work of the brake in one stop")  # fmt: skip
-        line.check_holding(sheet)
         started = [side for side in sides if side.state.starts > 0 and side.state.key in stops]
         if not started:
             return
@@ -135,6 +146,6 @@ def record_brake_duty(line: LineFed, stops: dict[str, Stop], sides: Sequence[Mot
         work = sheet(stop_formulas.braking_work_of_cycle, z_k=counts, W_k=[stops[s.state.key].work for s in started])
         mean = sheet(stop_formulas.mean_braking_work, W_c=work, z_c=sum(counts))
         life = line.brake_product.work_until_adjustment
-        if life is not None:
+        if life is not None and mean > 0:
             time = sheet(stop_formulas.brake_life, W_N=life, W_B=mean, Z_B=sum(counts) / line.cycle_time)
             sheet(stop_formulas.brake_life_in_days, key="brake_life_days", L_B=time, t_d=line.rules.hours_per_day)

@@ -1,6 +1,7 @@
 """Load against run-up curve: what the motor gives over its speed, and what every state of the load asks."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 
@@ -14,6 +15,9 @@ def run_up_diagram(data: MotorData, sides: Sequence[MotorSide], more: Sequence[M
     shown: list[Series] = []
     for one in (data, *more):
         name = "mean run-up torque" if not more else f"mean run-up torque, {one.winding.poles} poles"
+        if one.star:
+            # in star every torque is the same share of that in delta, so the curve keeps its shape
+            shown.append(_run_up(one, f"{name}, in star", (one.run_up or 0.0) / (one.full_run_up or 1.0)))
         shown.append(_run_up(one, name))
         points = _points(one)
         if points:
@@ -32,12 +36,16 @@ def run_up_diagram(data: MotorData, sides: Sequence[MotorSide], more: Sequence[M
                    tuple(shown))  # fmt: skip
 
 
-def _run_up(data: MotorData, name: str) -> Series:
-    """The mean run-up torque up to the working branch, then down to no torque at synchronous speed."""
-    run_up = data.run_up or data.rated_torque
-    slope = data.rated_torque / (data.synchronous_speed - data.rated_speed)
-    knee = max(data.synchronous_speed - run_up / slope, 0.0) if slope > 0 else data.rated_speed
-    return series(name, [0.0, knee, data.synchronous_speed], [run_up, run_up, 0.0], "limit")
+def _run_up(data: MotorData, name: str, share: float = 1.0) -> Series:
+    """The mean run-up torque up to the working branch, then down to no torque at synchronous speed.
+
+    ``share`` of it in star; the curve in delta is then only a comparison.
+    """
+    run_up = data.full_run_up or data.rated_torque
+    slip, top = data.synchronous_speed - data.rated_speed, share * run_up
+    knee = max(data.synchronous_speed - slip * run_up / data.rated_torque, 0.0) if slip > 0 else data.rated_speed
+    role: Literal["limit", "second"] = "second" if data.star and share == 1.0 else "limit"
+    return series(name, [0.0, knee, data.synchronous_speed], [top, top, 0.0], role)
 
 
 def _points(data: MotorData) -> list[tuple[float, float]]:

@@ -1,6 +1,6 @@
 """How often a line-fed motor may start: heating by the starts of every state of load, added up over the cycle."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from app.engine.drives.line_fed import LineFed, MotorData
 from app.engine.drives.mains_rules import CHECK_NAMES, LineFedRules
@@ -45,25 +45,36 @@ def record_state(line: LineFed, data: MotorData, M_H: float, side: MotorSide, sh
     return sheet(run.permissible_starting_frequency, key=f"{key}_{KEY}", Z_0=Z_0, K_J=K_J, K_M=max(K_M, 0.0), K_P=K_P)
 
 
-def record_heating(line: LineFed, data: MotorData, M_H: float, sides: Sequence[MotorSide], sheet: Sheet) -> None:
-    """Write the permissible starts of every state and check the cycles per hour."""
+def record_heating(
+    line: LineFed, data: MotorData, M_H: float, sides: Sequence[MotorSide], started: Collection[str], sheet: Sheet
+) -> None:
+    """Write the permissible starts of every state in ``started`` (keys) and check the cycles per hour."""
     found: dict[str, float | None] = {}
-    for side in sides:
+    for side in (side for side in sides if side.state.key in started):
         with sheet.section(f"Starting frequency: {side.state.label}"):
             found[side.state.key] = record_state(line, data, M_H, side, sheet)
     check_cycles(line, found, sides, sheet)
 
 
 def check_cycles(line: LineFed, found: dict[str, float | None], sides: Sequence[MotorSide], sheet: Sheet) -> None:
-    """Add up the starts of a cycle and check how often it is repeated."""
+    """Add up the starts of a cycle and check how often it is repeated.
+
+    ``found`` has the permissible starts of every state that the motor starts, None where data lack. A state of the
+    cycle that is not in it cannot be started: then there is no number of cycles to judge.
+    """
     started = [side.state for side in sides if side.state.starts > 0]
     if not started:
         return
-    rates = [rate for state in started if (rate := found.get(state.key))]
+    stuck = ", ".join(state.label for state in started if state.key not in found)
+    rates = [rate for state in started if (rate := found.get(state.key)) is not None]
     demanded = 1 / line.cycle_time
     with sheet.section("Starting frequency of the cycle"):
         permitted, missing = None, "no-load starting frequency of the motor, or factor K_P of a state"
-        if len(rates) == len(started):
+        if stuck:
+            missing = f"run-up torque for a start in every state ({stuck})"
+        elif len(rates) == len(started):
+            if min(rates) <= 0:
+                sheet.decide("No start is permitted", "in one state the load takes all of the run-up torque")
             permitted = sheet(run.permissible_cycles, z_k=[state.starts for state in started], Z_k=rates)
             missing = ""
         sheet.check(KEY, CHECK_NAMES[KEY], demanded, permitted, "1/h", SOURCE, formula="permissible_cycles",

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from app.engine.drives.mains_rules import CHECK_NAMES
-from app.engine.drives.mains_shaft import MotorSide
+from app.engine.drives.mains_shaft import Gravity, MotorSide
 from app.engine.formulas import braking as stop
 from app.engine.formulas import induction as run
 from app.engine.formulas.conversion import linear_speed
@@ -45,14 +45,24 @@ class Brake:
     tolerance: float
 
 
-def record_start(sheet: Sheet, side: MotorSide, M_H: float, omega: float, name: str = "") -> Start | None:
-    """Write a run-up against the load to speed ``omega``; ``name`` goes into the keys where a state starts twice."""
-    side = side.changing
+def record_start(
+    sheet: Sheet, side: MotorSide, M_H: float, omega: float, name: str = "", winding: str = ""
+) -> Start | None:
+    """Write a run-up against the load to speed ``omega``.
+
+    ``name`` goes into the keys and ``winding`` into the name of the check where a state starts twice.
+    """
+    whole, side = side.without_process, side.changing
     key, label = f"{side.state.key}{name}", side.state.label
     burden = side.record_burden(sheet, M_H, f"starting{name}", "Starting")
-    sheet.check(f"run_up_torque_{key}", f"{CHECK_NAMES['run_up_torque']}: {label}", max(burden.torque, 0.0), M_H, "N m",
-                "motor: mean run-up torque", formula="run_up_torque")  # fmt: skip
-    if burden.torque >= M_H:
+    demanded = burden.torque
+    if whole.state.curve:
+        # a torque that grows with the speed holds the motor back at its highest point, whatever its mean
+        demanded = max(demanded, whole.largest_torque * whole.factor(driving=True))
+    title = f"{CHECK_NAMES['run_up_torque']}: {label}{winding}"
+    sheet.check(f"run_up_torque_{key}", title, max(demanded, 0.0), M_H, "N m", "motor: mean run-up torque",
+                formula="run_up_torque")  # fmt: skip
+    if demanded >= M_H:
         return None
     time = sheet(
         run.run_up_time, key=f"{key}_run_up_time", J_tot=burden.inertia, omega=omega, M_H=M_H, M_L=burden.torque
@@ -67,13 +77,16 @@ def record_start(sheet: Sheet, side: MotorSide, M_H: float, omega: float, name: 
     return Start(time, a)
 
 
-def check_slip(sheet: Sheet, side: MotorSide, rate: float, phase: str) -> None:
-    """Check acceleration or deceleration (unsigned) against what the load bears; ``phase`` as in ``CHECK_NAMES``."""
+def check_slip(sheet: Sheet, side: MotorSide, rate: float, phase: str, name: str = "", winding: str = "") -> None:
+    """Check acceleration or deceleration (unsigned) against what the load bears; ``phase`` as in ``CHECK_NAMES``.
+
+    ``name`` and ``winding`` as in :func:`record_start`.
+    """
     limit = side.state.permissible_acceleration
     if limit is not None:
         unit = "rad/s2" if side.state.travel is None else "m/s2"
-        sheet.check(f"{phase}_{side.state.key}", f"{CHECK_NAMES[phase]}: {side.state.label}", rate, limit, unit,
-                    SLIP_SOURCE, formula="ramp_acceleration")  # fmt: skip
+        sheet.check(f"{phase}_{side.state.key}{name}", f"{CHECK_NAMES[phase]}: {side.state.label}{winding}", rate,
+                    limit, unit, SLIP_SOURCE, formula="ramp_acceleration")  # fmt: skip
 
 
 def record_least_flywheel(sheet: Sheet, side: MotorSide, M_H: float, omega: float) -> None:
@@ -87,37 +100,91 @@ def record_least_flywheel(sheet: Sheet, side: MotorSide, M_H: float, omega: floa
           v=omega * side.travel, a_p=limit, J_tot=burden.inertia)  # fmt: skip
 
 
+@dataclass(frozen=True)
+class _Applied:
+    """The load at the moment when the brake applies."""
+
+    side: MotorSide
+    """In the direction in which it moves then"""
+    speed: float
+    """Of the motor; 0 where the load stands [rad/s]"""
+    mean: float
+    """Mean unsigned speed of the motor until then [rad/s]"""
+
+
 def record_stop(
-    sheet: Sheet, side: MotorSide, brake: Brake, omega: float, *, falls: bool, name: str = ""
+    sheet: Sheet, side: MotorSide, brake: Brake, omega: float, *, gravity: Gravity | None, name: str = ""
 ) -> Stop | None:
-    """Write a stop from motor speed ``omega``; ``falls``: gravity changes the speed until the brake applies."""
+    """Write a stop from motor speed ``omega``; ``gravity`` changes the speed until the brake applies.
+
+    None where the brake does not stop the load. ``name`` goes into the keys where a state stops twice.
+    """
     side = side.changing
     key = f"{side.state.key}{name}"
-    before = omega
-    if falls:
-        free = side.record_burden(sheet, 0.0, f"delay{name}", "Until the brake applies")
-        change = sheet(stop.speed_change_in_delay, key=f"{key}_speed_change_in_delay", M_L=free.torque,
-                       J_tot=free.inertia, t_2=brake.delay)  # fmt: skip
-        before = max(omega + change, 0.0)
-    burden = side.record_burden(sheet, -brake.torque, f"braking{name}", "Braking")
+    applied = _Applied(side, omega, omega)
+    if gravity is not None:
+        applied = _record_delay(sheet, side, brake, omega, gravity, name)
+    burden = applied.side.record_burden(sheet, -brake.torque, f"braking{name}", "Braking")
     label = f"{CHECK_NAMES['brake_stops']}: {side.state.label}"
     sheet.check(f"brake_stops_{key}", label, max(-burden.torque, 0.0), brake.torque, "N m", "brake: data sheet",
                 formula="braking_time")  # fmt: skip
+    if applied.speed == 0:
+        rate = sheet.value(f"{key}_coasting_deceleration")
+        return Stop(_record_distance(sheet, key, applied, brake, 0.0), rate, 0.0)
     if brake.torque + burden.torque <= 0:
         return None
-    time = sheet(stop.braking_time, key=f"{key}_braking_time", J_tot=burden.inertia, omega=before, M_B=brake.torque,
-                 M_L=burden.torque)  # fmt: skip
+    time = sheet(stop.braking_time, key=f"{key}_braking_time", J_tot=burden.inertia, omega=applied.speed,
+                 M_B=brake.torque, M_L=burden.torque)  # fmt: skip
     v_0 = sheet(linear_speed, key=f"{key}_braking_speed", symbol="v_0", label="Speed at which the brake applies",
-                omega=before, A=side.travel)  # fmt: skip
+                omega=applied.speed, A=side.travel)  # fmt: skip
     turning = side.state.travel is None
     rate = sheet(stop.braking_deceleration, key=f"{key}_braking_deceleration", unit="rad/s2" if turning else "",
                  v=v_0, t_B=time)  # fmt: skip
-    distance = sheet(stop.stopping_distance, key=f"{key}_stopping_distance", unit="rad" if turning else "",
-                     v=(omega + before) / 2 * side.travel, v_0=v_0, t_2=brake.delay, t_B=time)  # fmt: skip
-    sheet(stop.stopping_accuracy, key=f"{key}_stopping_accuracy", unit="rad" if turning else "", k_X=brake.tolerance,
-          s_B=distance)  # fmt: skip
-    work = sheet(stop.braking_work, key=f"{key}_braking_work", M_B=brake.torque, omega=before, t_B=time)
+    distance = _record_distance(sheet, key, applied, brake, time)
+    work = sheet(stop.braking_work, key=f"{key}_braking_work", M_B=brake.torque, omega=applied.speed, t_B=time)
     return Stop(distance, rate, work)
+
+
+def _record_delay(sheet: Sheet, side: MotorSide, brake: Brake, omega: float, gravity: Gravity, name: str) -> _Applied:
+    """Write what the load does until the brake applies: slow down, quicken, or come to rest and fall back."""
+    key, turning = f"{side.state.key}{name}", side.state.travel is None
+    free = side.record_burden(sheet, 0.0, f"delay{name}", "Until the brake applies")
+    change = sheet(stop.speed_change_in_delay, key=f"{key}_speed_change_in_delay", M_L=free.torque,
+                   J_tot=free.inertia, t_2=brake.delay)  # fmt: skip
+    if omega + change > 0:
+        return _Applied(side, omega + change, (omega + omega + change) / 2)
+    time = sheet(stop.coasting_time, key=f"{key}_coasting_time", J_tot=free.inertia, omega=omega, M_L=free.torque)
+    v = sheet(linear_speed, key=f"{key}_cut_off_speed", symbol="v", label="Speed of the load at cut-off", omega=omega,
+              A=side.travel)  # fmt: skip
+    label = "Mean deceleration of the load that comes to rest by itself"
+    sheet(stop.braking_deceleration, key=f"{key}_coasting_deceleration", symbol="a_c", label=label, v=v, t_B=time,
+          unit="rad/s2" if turning else "")  # fmt: skip
+    label = "Path of the load that comes to rest by itself"
+    sheet(ramp_distance, key=f"{key}_coasting_distance", symbol="s_c", label=label, v=v, t_A=time,
+          unit="rad" if turning else "mm")  # fmt: skip
+    back, left = side.falling_back(gravity), brake.delay - time
+    at_rest = _Applied(back, 0.0, omega * time / 2 / brake.delay)
+    if back.burden(0.0).torque >= 0:
+        sheet.decide("The load stands before the brake applies", "it comes to rest by itself and nothing pulls it back")
+        return at_rest
+    if left <= 1e-9 * brake.delay:
+        sheet.decide("The load stands as the brake applies", "it has just come to rest by itself")
+        return at_rest
+    sheet.decide("The load falls back before the brake applies", "it comes to rest by itself, then gravity pulls it")
+    pull = back.record_burden(sheet, 0.0, f"falling_back{name}", "Falling back")
+    label = "Speed at which the load falls back as the brake applies"
+    speed = sheet(stop.speed_change_in_delay, key=f"{key}_falling_back_speed", label=label, M_L=pull.torque,
+                  J_tot=pull.inertia, t_2=left)  # fmt: skip
+    return _Applied(back, speed, (omega * time + speed * left) / 2 / brake.delay)
+
+
+def _record_distance(sheet: Sheet, key: str, applied: _Applied, brake: Brake, time: float) -> float:
+    """Write the path from cut-off to standstill, there and back, and its tolerance; returns the path [m or rad]."""
+    travel, unit = applied.side.travel, "rad" if applied.side.state.travel is None else ""
+    distance = sheet(stop.stopping_distance, key=f"{key}_stopping_distance", unit=unit, v=applied.mean * travel,
+                     v_0=applied.speed * travel, t_2=brake.delay, t_B=time)  # fmt: skip
+    sheet(stop.stopping_accuracy, key=f"{key}_stopping_accuracy", unit=unit, k_X=brake.tolerance, s_B=distance)
+    return distance
 
 
 def record_brake_limit(sheet: Sheet, side: MotorSide, brake: Brake, omega: float) -> None:

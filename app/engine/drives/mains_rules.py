@@ -78,6 +78,11 @@ class MotorRules(BrakingRules, GearService):
 class LineFedRules(MotorRules):
     """Rules of motors that run on the mains."""
 
+    starting: Annotated[
+        Literal["direct", "star_delta"],
+        Option(default="direct", source="one contactor", about="how the motor is connected while it runs up",
+               group=_START, labels={"direct": "direct on line", "star_delta": "star-delta: run-up in star"}),
+    ]  # fmt: skip
     starting_factors: Annotated[
         tuple[StartingFactor, ...],
         Option(default=(), about="factors K_P of the maker, instead of the tabulated ones", group=_START),

@@ -7,6 +7,9 @@ are tried and the one that agrees with itself is taken.
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
+from app.engine.cycle import FloatArray
 from app.engine.formulas.conversion import torque_before_ratio
 from app.engine.formulas.efficiency import (
     RegenerationModel,
@@ -16,8 +19,9 @@ from app.engine.formulas.efficiency import (
     returning_stage_inertia,
     returning_stage_torque,
 )
+from app.engine.formulas.induction import mean_torque_over_speed
 from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
-from app.engine.mechanisms.load import LoadState
+from app.engine.mechanisms.load import LoadState, Statics
 from app.engine.sheet import Sheet
 
 
@@ -29,6 +33,39 @@ class Burden:
     """Load torque, positive against the rotation [N m]"""
     inertia: float
     """All inertia on the motor shaft [kg m2]"""
+
+
+@dataclass(frozen=True)
+class Gravity:
+    """What pulls at a load while neither motor nor brake hold it."""
+
+    states: tuple[LoadState, ...]
+    """Every state of the load."""
+    statics: Statics
+
+    def opposite(self, state: LoadState) -> LoadState:
+        """The same load moving the other way, under the name of ``state``.
+
+        It is the state of the other direction where there is one. An unbalance, which both directions count at its
+        worst, and a load without such a state are pulled back by what holding takes beyond friction.
+        """
+        friction = self.statics.friction
+        known = [
+            other for other in self.states
+            if other.direction == -state.direction and _same(other.inertia, state.inertia)
+            and _same(other.front_inertia, state.front_inertia)
+        ]  # fmt: skip
+        if known:
+            found = min(known, key=lambda other: other.torque - other.process_torque)
+            torque = found.torque - found.process_torque
+            if (state.torque + torque) / 2 <= friction * (1 + 1e-9):
+                return replace(found, key=state.key, label=state.label, torque=torque, process_torque=0.0)
+        pulled = friction - abs(self.statics.holding)
+        return replace(state, direction=-state.direction, torque=pulled, process_torque=0.0)
+
+
+def _same(one: float, other: float) -> bool:
+    return abs(one - other) <= 1e-9 * max(abs(one), abs(other))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,12 +113,60 @@ class MotorSide:
         return self.state.torque < 0
 
     @property
-    def changing(self) -> "MotorSide":
-        """The same while it starts or stops: without a process that acts at full speed only."""
-        if not self.state.process_torque:
+    def mean_torque(self) -> float:
+        """Mean of a torque that depends on the speed, from standstill to full speed, without losses [N m]."""
+        return float(mean_torque_over_speed(*self.curve_steps))
+
+    @property
+    def curve_steps(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Torque and speed at both ends of every step of the curve, on the motor shaft: M_a, M_b, n_a, n_b."""
+        speed, torque = np.array(self.state.curve, dtype=float).T
+        speed, torque = speed * self.ratio, np.asarray(torque_before_ratio(torque, self.ratio))
+        return torque[:-1], torque[1:], speed[:-1], speed[1:]
+
+    @property
+    def largest_torque(self) -> float:
+        """Largest torque without losses that the load has at any speed [N m]: ``load_torque`` but for a curve."""
+        curve = [torque for _, torque in self.state.curve]
+        return float(torque_before_ratio(max(curve, default=self.state.torque), self.ratio))
+
+    @property
+    def averaged(self) -> "MotorSide":
+        """The same with the mean torque over the speed, where the torque depends on it."""
+        if not self.state.curve:
             return self
-        left = self.state.torque - self.state.process_torque
-        return replace(self, state=replace(self.state, torque=left, process_torque=0.0))
+        return replace(self, state=replace(self.state, torque=self.mean_torque * self.ratio, curve=()))
+
+    @property
+    def without_process(self) -> "MotorSide":
+        """The same without a process that acts at full speed only."""
+        process = self.state.process_torque
+        if not process:
+            return self
+        curve = tuple((speed, torque - process) for speed, torque in self.state.curve)
+        state = replace(self.state, torque=self.state.torque - process, process_torque=0.0, curve=curve)
+        return replace(self, state=state)
+
+    @property
+    def changing(self) -> "MotorSide":
+        """The same while it starts or stops: no process of full speed, mean torque where it depends on the speed."""
+        return self.without_process.averaged
+
+    def between(self, slow: float, fast: float) -> "MotorSide":
+        """The same with only that part of a torque curve between two shares of full speed, the higher one last."""
+        if not self.state.curve:
+            return self
+        speed, torque = np.array(self.state.curve, dtype=float).T
+        ends = np.array([slow, fast]) * speed[-1]
+        inside = speed[(speed > ends[0]) & (speed < ends[1])]
+        speeds = np.concatenate((ends[:1], inside, ends[1:]))
+        torques = np.interp(speeds, speed, torque)
+        points = tuple(zip(speeds.tolist(), torques.tolist(), strict=True))
+        return replace(self, state=replace(self.state, torque=float(torques[-1]), curve=points))
+
+    def falling_back(self, gravity: "Gravity") -> "MotorSide":
+        """The same load on its way back, after it has come to rest."""
+        return replace(self, state=gravity.opposite(self.state))
 
     def with_added(self, inertia: float) -> "MotorSide":
         """The same with another additional inertia on the motor shaft."""
@@ -108,6 +193,11 @@ class MotorSide:
         label = "Torque of the load on the motor shaft, no losses"
         sheet(torque_before_ratio, key=f"{key}_load_torque", symbol="M_L", label=label, M=self.state.torque,
               i=self.ratio)  # fmt: skip
+        if self.state.curve:
+            label = "Mean torque of the load from standstill to full speed, on the motor shaft, no losses"
+            M_a, M_b, n_a, n_b = self.without_process.curve_steps
+            sheet(mean_torque_over_speed, key=f"{key}_mean_run_up_load_torque", symbol="M_Lm", label=label, M_a=M_a,
+                  M_b=M_b, n_a=n_a, n_b=n_b)  # fmt: skip
         label = "External inertia on the motor shaft, no losses"
         sheet(referred_inertia, key=f"{key}_external_inertia", symbol="J_X", label=label, J=self.state.inertia,
               i=self.ratio)  # fmt: skip

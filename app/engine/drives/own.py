@@ -1,7 +1,7 @@
 """Motors and gear units that the user types from a data sheet, beside those of the catalogue."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import field_validator
 from pydantic_core import PydanticCustomError
@@ -10,8 +10,10 @@ from app.engine.products import Product, ServoGearUnit, ServoMotor
 from app.engine.quantity import Declaration, Declared, Option, Quantity
 
 _SOURCE = "own input"
-_NO_ASSUMPTIONS = {"name", "continuous_curve", "peak_curve"}
+_NO_ASSUMPTIONS = {"name", "kind", "continuous_curve", "peak_curve"}
 """Inputs whose default decides nothing."""
+WEAKENING_POINTS = 24
+"""Straight pieces of a curve of constant power: exact within 0.1 % up to three times rated speed."""
 
 
 class OwnProduct(Declared):
@@ -53,6 +55,12 @@ class OwnServoMotor(OwnProduct):
     """A servo motor as its data sheet prints it; what is left empty is not checked."""
 
     name: Annotated[str, Option(default="own motor", about="name of the motor", group="Own motor")]
+    kind: Annotated[
+        Literal["sync", "async"],
+        Option(default="sync", source="usual servo motor", about="kind of servo motor", group="Own motor",
+               labels={"sync": "synchronous: peak torque up to the highest speed",
+                       "async": "asynchronous: above rated speed the peak torque falls with the speed"}),
+    ]  # fmt: skip
     rated_speed: Annotated[float | None, _speed("n_N", "rated speed")]
     max_speed: Annotated[float | None, _speed("n_max", "highest permitted speed")]
     stall_torque: Annotated[float | None, _torque("M_0", "continuous torque at standstill")]
@@ -90,7 +98,16 @@ class OwnServoMotor(OwnProduct):
         values = {name: getattr(self, name) for name in type(self).model_fields if name != "name"}
         for curve in ("continuous_curve", "peak_curve"):
             values[curve] = tuple(sorted((point.speed, point.torque) for point in values[curve]))
+        values["peak_curve"] = values["peak_curve"] or self._weakened_peak()
         return ServoMotor(id="own", manufacturer="", series="", model=self.name, source=_SOURCE, **values)
+
+    def _weakened_peak(self) -> tuple[tuple[float, float], ...]:
+        """Peak curve of an asynchronous motor in field weakening: constant power above rated speed; else empty."""
+        n_N, n_max, peak = self.rated_speed, self.max_speed, self.peak_torque
+        if self.kind == "sync" or n_N is None or n_max is None or peak is None or n_max <= n_N:
+            return ()
+        steps = [n_N * (n_max / n_N) ** (k / WEAKENING_POINTS) for k in range(WEAKENING_POINTS + 1)]
+        return ((0.0, peak), *((n, peak * n_N / n) for n in steps))
 
 
 class OwnGearUnit(OwnProduct):

@@ -1,8 +1,9 @@
 """Pole-changing motor on the mains: runs at the high speed, changes over to the low one, stops from there."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Annotated, ClassVar, Literal
 
+from app.engine.diagram import Diagram
 from app.engine.drives.base import DriveModel, DriveResult, Given
 from app.engine.drives.line_fed import LineFed, MotorData, motor_data
 from app.engine.drives.mains import record_brake_duty, record_emergency_stop
@@ -77,21 +78,21 @@ class PoleChangingDrive(LineFedRules, DriveModel):
         if line.motor is not None:
             if len(line.motor.windings) != 2:
                 raise EngineError("a pole-changing motor has two windings", field="motor")
-            low = motor_data(line, line.motor.windings[0], sheet, "_low")
-            high = motor_data(line, line.motor.windings[1], sheet, "_high")
+            star = {self.start_winding} if self.starting == "star_delta" else set()
+            low = motor_data(line, line.motor.windings[0], sheet, "_low", star="low" in star)
+            high = motor_data(line, line.motor.windings[1], sheet, "_high", star="high" in star)
         for side in sides:
             with sheet.section(f"Load on the motor shaft: {side.state.label}"):
                 side.record(sheet)
                 line.record_static(side, high, sheet)
         line.check_power(high, sheet)
-        if low is None or high is None or low.run_up is None or high.run_up is None or line.motor_inertia is None:
-            return DriveResult(ratio=line.ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES)
-        line.record_gear_unit(high, sides, sheet)
-        _record(self, line, low, high, sides, sheet)
-        return DriveResult(
-            ratio=line.ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES,
-            diagrams=(run_up_diagram(high, sides, (low,)),),
-        )  # fmt: skip
+        diagrams: tuple[Diagram, ...] = ()
+        if low and high and None not in (low.run_up, high.run_up, line.motor_inertia):
+            line.record_gear_unit(high, sides, sheet)
+            _record(self, line, low, high, sides, sheet)
+            diagrams = (run_up_diagram(high, sides, (low,)),)
+        line.check_holding(sheet)
+        return DriveResult(ratio=line.ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES, diagrams=diagrams)
 
 
 def _speeds(low: MotorData, high: MotorData, side: MotorSide) -> tuple[float, float]:
@@ -104,20 +105,34 @@ def _speeds(low: MotorData, high: MotorData, side: MotorSide) -> tuple[float, fl
 def _record(
     rules: PoleChangingDrive, line: LineFed, low: MotorData, high: MotorData, sides: Sequence[MotorSide], sheet: Sheet
 ) -> None:
-    assert high.run_up is not None
-    assert low.run_up is not None
-    started = []
-    for side in sides:
-        with sheet.section(f"Run-up: {side.state.label}"):
-            found = record_start(sheet, side, high.run_up, _speeds(low, high, side)[1])
-            if found is not None:
-                started.append(side)
-                check_slip(sheet, side, found.acceleration, "slip_starting")
-                record_least_flywheel(sheet, side, high.run_up, _speeds(low, high, side)[1])
+    started = [side.state.key for side in sides if _record_run_up(rules, low, high, side, sheet)]
     _record_changes(rules, line, low, high, sides, sheet)
-    _record_heating(rules, line, high, started, sheet)
+    _record_heating(rules, line, high, sides, started, sheet)
     if line.brake is not None:
         _record_stops(line, low, high, line.brake, sides, sheet)
+
+
+def _record_run_up(rules: PoleChangingDrive, low: MotorData, high: MotorData, side: MotorSide, sheet: Sheet) -> bool:
+    """Write the run-up of one state on the high-speed winding, and on the low-speed one where that starts the load.
+
+    Returns whether the motor starts the load.
+    """
+    assert high.run_up is not None
+    assert low.run_up is not None
+    n_1, n_2 = _speeds(low, high, side)
+    with sheet.section(f"Run-up: {side.state.label}"):
+        found = record_start(sheet, side, high.run_up, n_2)
+        if found is not None:
+            check_slip(sheet, side, found.acceleration, "slip_starting")
+            record_least_flywheel(sheet, side, high.run_up, n_2)
+    if rules.start_winding == "high":
+        return found is not None
+    with sheet.section(f"Run-up on the low-speed winding: {side.state.label}"):
+        words, part = ", low-speed winding", side.between(0.0, n_1 / n_2)
+        first = record_start(sheet, part, low.run_up, n_1, "_low", words)
+        if first is not None:
+            check_slip(sheet, side, first.acceleration, "slip_starting", "_low", words)
+    return found is not None and first is not None
 
 
 def _record_changes(
@@ -126,14 +141,15 @@ def _record_changes(
     """Change-over in every state."""
     with sheet.section("Changing over"):
         soft = 0.5 if rules.soft_change else 1.0
-        M_U = sheet(change.change_over_torque, k_U=rules.change_factor, k_s=soft, M_H=low.run_up)
+        M_U = sheet(change.change_over_torque, k_U=rules.change_factor, k_s=soft, M_H=low.full_run_up)
         if rules.soft_change and line.hangs:
             sheet.check("soft_change", "Soft change-over of a hoist", 1.0, 0.0, "1", NO_SOFT_CHANGE)
     for side in sides:
         with sheet.section(f"Changing over: {side.state.label}"):
             key, turning = side.state.key, side.state.travel is None
             n_1, n_2 = _speeds(low, high, side)
-            burden = side.record_burden(sheet, -M_U, "change", "Changing over")
+            part = side.between(n_1 / n_2, 1.0).averaged
+            burden = part.record_burden(sheet, -M_U, "change", "Changing over")
             if M_U + burden.torque <= 0:
                 sheet.check(f"change_over_{key}", f"Change-over torque: {side.state.label}", -burden.torque, M_U, "N m",
                             "motor: run-up torque of the low-speed winding")  # fmt: skip
@@ -149,26 +165,27 @@ def _record_changes(
                   v_1=v_1, t_U=time)  # fmt: skip
             check_slip(sheet, side, rate, "slip_changing")
             if side.state.permissible_acceleration is not None:
-                bare = side.with_added(0.0).burden(-M_U)
+                bare = part.with_added(0.0).burden(-M_U)
                 sheet(change.least_flywheel_for_change, key=f"{key}_least_flywheel_for_change", M_U=M_U,
                       M_L=bare.torque, v=v, v_1=v_1, a_p=side.state.permissible_acceleration, n_2=n_2, n_1=n_1,
                       J_tot=bare.inertia)  # fmt: skip
 
 
 def _record_heating(
-    rules: PoleChangingDrive, line: LineFed, high: MotorData, sides: Sequence[MotorSide], sheet: Sheet
-) -> None:
-    """Permissible starts of every state, with the heating of the change-over."""
+    rules: PoleChangingDrive, line: LineFed, high: MotorData, sides: Sequence[MotorSide], starts: Collection[str],
+    sheet: Sheet,
+) -> None:  # fmt: skip
+    """Permissible starts of every state in ``starts`` (keys), with the heating of the change-over."""
     assert high.run_up is not None
     plain: dict[str, float] = {}
     found: dict[str, float | None] = {}
-    for side in sides:
+    for side in (side for side in sides if side.state.key in starts):
         with sheet.section(f"Starting frequency: {side.state.label}"):
-            rate = record_state(line, high, high.run_up, side, sheet)
+            rate, key = record_state(line, high, high.run_up, side, sheet), side.state.key
             if rate is None:
+                found[key] = None
                 continue
-            plain[side.state.key] = rate
-            factor, key = rules.heating_factor, side.state.key
+            plain[key], factor = rate, rules.heating_factor
             rate = sheet(change.starting_frequency_with_change, key=f"{key}_starting_frequency_with_change", Z=rate,
                          k_th=factor)  # fmt: skip
             if rules.start_winding == "low":
@@ -188,16 +205,17 @@ def _record_heating(
 def _record_stops(
     line: LineFed, low: MotorData, high: MotorData, brake: Brake, sides: Sequence[MotorSide], sheet: Sheet
 ) -> None:
-    """Stops from the low speed, and from the high one where the mains fail while lowering."""
+    """Stops from the low speed, and from the high one where the mains fail."""
     stops: dict[str, Stop] = {}
+    failures: list[Stop | None] = []
     for side in sides:
-        n_1, _ = _speeds(low, high, side)
+        n_1, n_2 = _speeds(low, high, side)
         with sheet.section(f"Braking from the low speed: {side.state.label}"):
-            found = record_stop(sheet, side, brake, n_1, falls=line.hangs)
+            part = side.between(0.0, n_1 / n_2)
+            found = record_stop(sheet, part, brake, n_1, gravity=line.gravity)
             if found is not None:
                 stops[side.state.key] = found
                 check_slip(sheet, side, found.deceleration, "slip_braking")
-                record_brake_limit(sheet, side, brake, n_1)
-        if side.driven_by_load:
-            record_emergency_stop(line, high, brake, side, sheet)
-    record_brake_duty(line, stops, sides, sheet)
+                record_brake_limit(sheet, part, brake, n_1)
+        failures.append(record_emergency_stop(line, high, brake, side, sheet))
+    record_brake_duty(line, stops, failures, sides, sheet)

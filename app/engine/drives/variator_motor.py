@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 from app.engine.drives.base import Given
-from app.engine.drives.line_fed import MotorData, brake_of, motor_inertia_of
+from app.engine.drives.line_fed import MotorData, brake_of, motor_inertia_of, record_rated_torque
 from app.engine.drives.mains import running_speed
 from app.engine.drives.mains_motion import Brake, check_slip, record_brake_limit, record_start, record_stop
 from app.engine.drives.mains_rules import CHECK_NAMES, BrakingRules
-from app.engine.drives.mains_shaft import MotorSide
+from app.engine.drives.mains_shaft import Gravity, MotorSide
 from app.engine.drives.variator_range import Demand
 from app.engine.formulas import induction as run
 from app.engine.formulas.conversion import torque_before_ratio
@@ -37,6 +37,11 @@ class VariatorLine:
         """Whether gravity moves the axis when nothing holds it."""
         statics = self.given.load.statics
         return abs(statics.holding) > 1e-9 * max(abs(statics.forward), abs(statics.backward), 1e-12)
+
+    @property
+    def gravity(self) -> Gravity | None:
+        """What pulls at the load while nothing holds it; None where nothing does."""
+        return Gravity(tuple(self.demand.states), self.given.load.statics) if self.hangs else None
 
     def sides(self, speed: float, inertia: float, efficiency: float) -> list[MotorSide]:
         """Every state of the load on the shaft of a motor of that rated speed and inertia."""
@@ -91,11 +96,11 @@ def _check_power(line: VariatorLine, winding: Winding, sheet: Sheet) -> None:
 
 def _motor_data(winding: Winding, rated_speed: float, sheet: Sheet) -> MotorData:
     sync = sheet(run.synchronous_speed, f_1=winding.frequency, z_p=winding.poles)
-    M_N = sheet(run.rated_torque, P_N=winding.rated_power, n_N=rated_speed)
+    M_N = record_rated_torque(winding, rated_speed, sheet)
     M_H = winding.run_up_torque
     if M_H is None and winding.run_up_torque_ratio is not None:
         M_H = sheet(run.run_up_torque, r_H=winding.run_up_torque_ratio, M_N=M_N)
-    return MotorData(winding, rated_speed, sync, M_N, M_H)
+    return MotorData(winding, rated_speed, sync, M_N, M_H, M_H)
 
 
 def _record_starts(data: MotorData, M_H: float, sides: list[MotorSide], sheet: Sheet) -> None:
@@ -113,7 +118,7 @@ def _record_stops(line: VariatorLine, data: MotorData, brake: Brake, sides: list
     for side in sides:
         with sheet.section(f"Braking: {side.state.label}"):
             speed = running_speed(data, side)
-            found = record_stop(sheet, side, brake, speed, falls=line.hangs)
+            found = record_stop(sheet, side, brake, speed, gravity=line.gravity)
             if found is None:
                 continue
             check_slip(sheet, side, found.deceleration, "slip_braking")

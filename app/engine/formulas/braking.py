@@ -31,6 +31,19 @@ def speed_change_in_delay(M_L: NewtonMetre, J_tot: KilogramMetre2, t_2: Second) 
     return -M_L * t_2 / J_tot
 
 
+@formula(symbol="t_c", unit="s", source="derived: torque balance at the motor shaft without motor and brake")
+def coasting_time(J_tot: KilogramMetre2, omega: RadPerSecond, M_L: NewtonMetre) -> Second:
+    """Time in which a load that is cut off comes to rest by itself.
+
+    ``J_tot`` all inertia on the motor shaft, ``omega`` speed at cut-off, ``M_L`` torque of the load on the motor shaft,
+    losses included, positive against the rotation.
+
+    >>> round(coasting_time(0.0225, 150.0, 12.5), 9)
+    0.27
+    """
+    return J_tot * omega / M_L
+
+
 @formula(symbol="t_B", unit="s", source="SEW 2001, 7.9: braking time")
 def braking_time(J_tot: KilogramMetre2, omega: RadPerSecond, M_B: NewtonMetre, M_L: NewtonMetre) -> Second:
     """Time from the application of the brake to standstill.

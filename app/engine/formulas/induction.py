@@ -68,6 +68,19 @@ def star_run_up_torque(M_H: NewtonMetre) -> NewtonMetre:
     return M_H / 3
 
 
+@formula(symbol="M_m", unit="N m", source="derived: mean over the speed, straight between the points of the curve")
+def mean_torque_over_speed(M_a: NewtonMetre, M_b: NewtonMetre, n_a: RadPerSecond, n_b: RadPerSecond) -> NewtonMetre:
+    """Mean torque of a load whose torque depends on the speed, over a range of speed.
+
+    Step by step along its curve: ``M_a`` torque at the lower speed ``n_a`` and ``M_b`` at the higher speed ``n_b`` of
+    each step, shape (n,).
+
+    >>> mean_torque_over_speed([0.0, 2.0], [2.0, 8.0], [0.0, 50.0], [50.0, 100.0])
+    3.0
+    """
+    return total((M_a + M_b) / 2 * (n_b - n_a)) / total(n_b - n_a)
+
+
 @formula(symbol="eta_T", unit="1", source="SEW 2001, 8.1: efficiencies of load and gear unit multiply")
 def total_efficiency(eta_L: One, eta_G: One) -> One:
     """Efficiency between motor shaft and load.

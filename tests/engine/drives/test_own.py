@@ -3,6 +3,7 @@
 import pytest
 from pydantic import ValidationError
 
+from app.engine.drives.limits import ServoLimits
 from app.engine.drives.own import OwnGearUnit, OwnServoMotor
 from app.engine.drives.rules import ServoRules
 from app.engine.sheet import Sheet
@@ -48,3 +49,14 @@ def test_only_the_rules_in_use_are_assumptions(rule_set: str, absent: str):
     taken = {name for name, _, _ in ServoRules.model_validate({"rule_set": rule_set}).defaults_taken()}
     assert absent not in taken
     assert "holding_reserve" in taken
+
+
+def test_an_asynchronous_motor_weakens_its_field():
+    """30 N m up to 2000 rpm, then by constant power: 15 N m at 4000 rpm, 10 N m at 6000 rpm."""
+    data = {"rated_speed_rpm": 2000, "max_speed_rpm": 6000, "peak_torque_nm": 30}
+    limits = ServoLimits(OwnServoMotor.model_validate(data | {"kind": "async"}).product())
+    for rpm, torque in ((1500, 30), (2000, 30), (4000, 15), (6000, 10)):
+        assert limits.peak(rpm * RPM) == pytest.approx(torque, rel=1e-3)
+    assert OwnServoMotor.model_validate(data).product().peak_curve == ()
+    typed = data | {"kind": "async", "peak_curve": [{"speed_rpm": 0, "torque_nm": 25}]}
+    assert OwnServoMotor.model_validate(typed).product().peak_curve == ((0.0, 25.0),)
