@@ -63,16 +63,16 @@ class Braking:
 
 def record_braking(sheet: Sheet, segments: Sequence[PowerSegment], cycle_time: float) -> Braking | None:
     """Write energy, duty, mean and peak power of what a cycle returns; None where it returns nothing."""
-    found = [part for segment in segments if (part := segment.returned()) is not None and part.duration > 0]
-    if not found:
+    runs = returning_runs(segments)
+    if not runs:
         sheet.decide("No braking resistor is needed", "no segment returns power")
         return None
-    for number, part in enumerate(found[:SHOWN_SEGMENTS], start=1):
-        sheet(formulas.braking_energy, key=f"braking_energy_{number}", label=f"Energy returned: {part.label}",
-              P_1=part.start, P_2=part.end, t=part.duration)  # fmt: skip
-    if len(found) > SHOWN_SEGMENTS:
-        sheet.decide(f"{SHOWN_SEGMENTS} of {len(found)} segments that return power are written out", "all are counted")
-    energies = [float(formulas.braking_energy(part.start, part.end, part.duration)) for part in found]
+    found = [part for run in runs for part in run]
+    for number, run in enumerate(runs[:SHOWN_SEGMENTS], start=1):
+        _record_run(sheet, run, f"braking_energy_{number}")
+    if len(runs) > SHOWN_SEGMENTS:
+        sheet.decide(f"{SHOWN_SEGMENTS} of {len(runs)} phases that return power are written out", "all are counted")
+    energies = [run_energy(run) for run in runs]
     energy = sheet(formulas.braking_energy_of_cycle, W_k=energies)
     on_time = sheet(sum_of_times, key="braking_on_time", symbol="t_on", label="Time of braking in a cycle",
                     t_k=[part.duration for part in found])  # fmt: skip
@@ -82,10 +82,40 @@ def record_braking(sheet: Sheet, segments: Sequence[PowerSegment], cycle_time: f
           W_c=energy, t_on=cycle_time)  # fmt: skip
     peak = max(max(part.start, part.end) for part in found)
     sheet(formulas.peak_braking_power, P=-peak)
-    ramps = [(part.start + part.end) / 2 for part in found if part.ramp]
+    ramps = [run_energy(run) / sum(part.duration for part in run) for run in runs if any(part.ramp for part in run)]
     if ramps:
         sheet(formulas.sum_of_powers, key="braking_power_sum_of_ramps", P_k=ramps)
     return Braking(energy, on_time, duty, mean, peak)
+
+
+def returning_runs(segments: Sequence[PowerSegment]) -> list[list[PowerSegment]]:
+    """The parts that return power, those of one phase together: a smooth ramp or a crank has many in a row."""
+    runs: list[list[PowerSegment]] = []
+    before = -1
+    for index, segment in enumerate(segments):
+        part = segment.returned()
+        if part is None or part.duration <= 0:
+            continue
+        if runs and index == before + 1 and runs[-1][-1].label == part.label:
+            runs[-1].append(part)
+        else:
+            runs.append([part])
+        before = index
+    return runs
+
+
+def run_energy(run: Sequence[PowerSegment]) -> float:
+    """Energy that one phase returns [J]."""
+    return sum(float(formulas.braking_energy(part.start, part.end, part.duration)) for part in run)
+
+
+def _record_run(sheet: Sheet, run: Sequence[PowerSegment], key: str) -> None:
+    label = f"Energy returned: {run[0].label}"
+    if len(run) == 1:
+        sheet(formulas.braking_energy, key=key, label=label, P_1=run[0].start, P_2=run[0].end, t=run[0].duration)
+        return
+    pieces = [float(formulas.braking_energy(part.start, part.end, part.duration)) for part in run]
+    sheet(formulas.braking_energy_of_cycle, key=key, label=label, W_k=pieces)
 
 
 def check_resistor(

@@ -182,6 +182,12 @@ def demand_of(request: SizingRequest, sheet: Sheet) -> Demand:
         raise EngineError(problem, field=("motion", "kind"))
     with located("mechanism"), sheet.section(request.mechanism.title):
         load = request.mechanism.load(profile, request.environment, sheet)
+    if request.drive.own_ramps and not load.states and load.cycle.max_speed > 0:
+        what = request.mechanism.title.lower()
+        problem = (
+            f"works against a steady torque, but that of a {what} keeps changing; take an inverter-fed or servo drive"
+        )
+        raise EngineError(problem, field=("drive", "kind"))
     return Demand(profile, load)
 
 

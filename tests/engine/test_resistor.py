@@ -1,5 +1,7 @@
 """Braking resistors: energy of every segment that returns power, and the row of the rating that counts."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -86,13 +88,25 @@ def test_a_cycle_that_returns_nothing_needs_no_resistor():
 
 
 def test_all_segments_count_although_not_all_are_written_out():
-    """30 segments of 10 J."""
+    """30 phases of 10 J."""
     sheet = Sheet()
-    found = record_braking(sheet, [PowerSegment("s", 1.0, -10, -10)] * 30, 60.0)
+    found = record_braking(sheet, [PowerSegment(f"phase {k}", 1.0, -10, -10) for k in range(30)], 60.0)
     assert found is not None
     assert found.energy == pytest.approx(300)
     assert sum(step.key.startswith("braking_energy_") for step in sheet.steps) == 24 + 1
     assert any("24 of 30" in decision.text for decision in sheet.decisions)
+
+
+def test_a_ramp_in_many_pieces_is_one_phase():
+    """From 100 W to nothing in 2 s: 100 J and 50 W, in one piece or in eight."""
+    borders = np.linspace(-100, 0, 9)
+    pieces = [PowerSegment("down", 0.25, float(a), float(b), ramp=True) for a, b in pairwise(borders)]
+    for cut in ([PowerSegment("down", 2.0, -100, 0, ramp=True)], pieces):
+        sheet = Sheet()
+        assert record_braking(sheet, [PowerSegment("up", 1.0, 0, 80), *cut, PowerSegment("rest", 1.0, 0, 0)], 4.0)
+        assert sheet.value("braking_energy_1") == pytest.approx(100)
+        assert not sheet.has("braking_energy_2")
+        assert sheet.value("braking_power_sum_of_ramps") == pytest.approx(50)
 
 
 @given(of=segments)

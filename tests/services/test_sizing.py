@@ -104,3 +104,11 @@ def test_the_same_request_gives_the_same_bytes():
     from app.services.results import sizing_json
 
     assert sizing_json(size()) == sizing_json(size())
+
+
+def test_a_torque_that_keeps_changing_is_no_load_for_a_line_fed_motor():
+    crank = {"kind": "crank", "crank_radius_mm": 100, "rod_length_mm": 500, "load_mass_kg": 20}
+    turning = {"kind": "rotations", "speed_rpm": 40, "runs": [{"duration_s": 3}]}
+    ((name, message),) = refused(mechanism=crank, motion=turning, drive={"kind": "mains"})
+    assert name == "drive.kind"
+    assert "crank drive keeps changing" in message

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -127,15 +128,23 @@ class InverterCase:
 
 
 def record_powers(shaft: MotorShaft, cycle: LoadCycle, sheet: Sheet) -> None:
-    """Write the power of every moving segment at its faster end, signed: negative where it is returned."""
+    """Write the power of every moving phase at its faster end, signed: negative where it is returned.
+
+    Of a phase with many segments the one with the largest power stands for it.
+    """
     ratio, torque = shaft.transmission.ratio, shaft.torque(cycle)
-    moving = [k for k in range(len(cycle.duration)) if cycle.mean_speed[k] != 0 and not cycle.braked[k]]
+    fast = np.where(np.abs(cycle.speed_start) > np.abs(cycle.speed_end), cycle.speed_start, cycle.speed_end)
+    phases = [list(run) for _, run in groupby(range(len(cycle.duration)), key=lambda k: cycle.label[k])]
+    moving = [
+        max(chosen, key=lambda k: abs(torque[k] * fast[k]))
+        for run in phases
+        if (chosen := [k for k in run if cycle.mean_speed[k] != 0 and not cycle.braked[k]])
+    ]
     for number, k in enumerate(moving[:MAX_POWERS], start=1):
-        fast = max(float(cycle.speed_start[k]), float(cycle.speed_end[k]), key=abs)
         sheet(signed_power, key=f"segment_{number}_power", label=f"Power of the motor: {cycle.label[k]}",
-              M=float(torque[k]), omega=fast * ratio)  # fmt: skip
+              M=float(torque[k]), omega=float(fast[k]) * ratio)  # fmt: skip
     if len(moving) > MAX_POWERS:
-        sheet.decide(f"The powers of {MAX_POWERS} of {len(moving)} segments are written out", "all are counted")
+        sheet.decide(f"The powers of {MAX_POWERS} of {len(moving)} phases are written out", "all are counted")
 
 
 def check_torque(case: InverterCase, sheet: Sheet) -> None:
