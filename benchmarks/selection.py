@@ -30,7 +30,7 @@ from app.engine.cycle import LoadCycle  # noqa: E402
 from app.engine.drives.rules import ServoRules  # noqa: E402
 from app.engine.environment import Environment  # noqa: E402
 from app.engine.formulas.efficiency import through_stage  # noqa: E402
-from app.engine.mechanisms.base import Load, Statics  # noqa: E402
+from app.engine.mechanisms.load import Load, Statics  # noqa: E402
 from app.engine.selection import select  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent

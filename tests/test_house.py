@@ -3,6 +3,7 @@
 import itertools
 import os
 import re
+import runpy
 import subprocess
 import sys
 import tomllib
@@ -171,3 +172,8 @@ def test_an_impossible_setting_stops_a_command_without_a_stack_trace(monkeypatch
     assert result.exit_code == 2
     assert "DRIVEWRIGHT_WORKERS: " in result.output
     assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize("script", sorted((ROOT / "benchmarks").glob("*.py")), ids=lambda path: path.stem)
+def test_a_measurement_still_finds_what_it_measures(script: Path):
+    runpy.run_path(str(script), run_name="imported")
