@@ -46,15 +46,21 @@ class EditionSummary:
 
 
 @dataclass(frozen=True)
-class StandardTableRecord:
-    """One standard table with its values and source."""
+class StandardTableSummary:
+    """What one standard table is, without its values."""
 
     key: str
     title: str
     unit: str | None
     note: str | None
-    payload: Any
     source: str
+
+
+@dataclass(frozen=True)
+class StandardTableRecord(StandardTableSummary):
+    """One standard table with its values and source."""
+
+    payload: Any
 
 
 class CatalogRepository:
@@ -102,7 +108,8 @@ class CatalogRepository:
     def tables(self) -> dict[str, Table]:
         """Standard tables that are tabulated charts, by key: ready for a look-up. Of several editions the newest."""
         found = {}
-        for table in self._session.scalars(select(StandardTable)):
+        tables = self._session.scalars(select(StandardTable))
+        for table in sorted(tables, key=lambda one: self._editions[one.edition_id].date or ""):
             made = chart_table(table.key, table.title, table.source, table.payload)
             if made is not None:
                 found[table.key] = made
@@ -245,12 +252,17 @@ class CatalogRepository:
         if not found:
             raise ProductNotFoundError(key)
         table = found[-1]
-        return StandardTableRecord(table.key, table.title, table.unit, table.note, table.payload, table.source)
+        return StandardTableRecord(table.key, table.title, table.unit, table.note, table.source, table.payload)
 
-    def standard_tables(self) -> dict[str, str]:
-        """Titles of all standard tables by key."""
-        query = select(StandardTable.key, StandardTable.title).order_by(StandardTable.key)
-        return {row.key: row.title for row in self._session.execute(query)}
+    def standard_tables(self) -> list[StandardTableSummary]:
+        """All standard tables by key, without their values; of several editions the one of the newest date."""
+        of = StandardTable
+        query = select(of.edition_id, of.key, of.title, of.unit, of.note, of.source)
+        rows = sorted(
+            self._session.execute(query), key=lambda row: (row.key, self._editions[row.edition_id].date or "")
+        )
+        newest = {row.key: StandardTableSummary(row.key, row.title, row.unit, row.note, row.source) for row in rows}
+        return list(newest.values())
 
     def _keys(self) -> dict[int, str]:
         return {id_: edition.key for id_, edition in self._editions.items()}

@@ -1,6 +1,7 @@
 """Standard tables of an edition: one JSON file each, ``{"title": ..., "unit": ..., "note": ..., "data": ...}``."""
 
 import json
+import math
 from typing import Any
 
 from app.catalog.report import LoadReport
@@ -37,6 +38,7 @@ def read_standard_table(content: bytes, key: str, file: str, report: LoadReport)
             report.error(file, "must be a text", column=name)
         else:
             _check_length(found.get(name), name, file, report)
+    _check_curves(found.get("data"), file, report)
     if len(report.errors) > before:
         return None
     return {
@@ -54,6 +56,21 @@ def _check_length(value: str | None, name: str, file: str, report: LoadReport) -
         report.error(file, f"is longer than {limit} characters", column=name)
 
 
+def _check_curves(data: Any, file: str, report: LoadReport) -> None:
+    """A table that says it is a chart must be one: every look-up in it relies on that."""
+    try:
+        made = chart_table("", "", "", data)
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError):
+        report.error(file, "must hold curves with points [x, value]", column="data")
+        return
+    if made is not None:
+        numbers = [
+            number for family, points in made.curves for number in (family, *(n for point in points for n in point))
+        ]
+        if not all(map(math.isfinite, numbers)) or not all(points for _, points in made.curves) or not made.curves:
+            report.error(file, "every curve needs points of finite numbers", column="data")
+
+
 def _refuse(constant: str) -> Any:
     raise ValueError(f"{constant} is no number")
 
@@ -69,8 +86,8 @@ def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 def chart_table(key: str, title: str, source: str, payload: Any) -> Table | None:
     """A standard table as a chart to look values up in; None where its values are no curves.
 
-    The data of a chart are ``{"x": ..., "family": ..., "curves": [{"family": 0, "points": [[x, value], ...]}],
-    "clamped": true, "source": ...}``; ``x`` and ``family`` say in words what the axes are.
+    The data of a chart are ``{"x": ..., "family": ..., "value": ..., "curves": [{"family": 0, "points": [[x, value],
+    ...]}], "clamped": true, "source": ...}``; ``x``, ``family`` and ``value`` say in words what the numbers are.
     """
     if not isinstance(payload, dict) or not isinstance(payload.get("curves"), list):
         return None

@@ -9,6 +9,16 @@ from app.charts.cycle import cycle_figure
 from app.charts.diagram import diagram_figure
 from app.charts.figure import Figure
 from app.charts.svg import svg
+from app.charts.table_curves import drawn, table_figure
 from app.charts.torque_speed import torque_speed_figure
 
-__all__ = ["Figure", "axis_figures", "cycle_figure", "diagram_figure", "svg", "torque_speed_figure"]
+__all__ = [
+    "Figure",
+    "axis_figures",
+    "cycle_figure",
+    "diagram_figure",
+    "drawn",
+    "svg",
+    "table_figure",
+    "torque_speed_figure",
+]

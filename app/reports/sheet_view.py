@@ -25,6 +25,8 @@ VERDICT_WORDS = {
 VERDICT_ICONS = {Verdict.OK: "✓", Verdict.TIGHT: "!", Verdict.FAILS: "✗", Verdict.NOT_CHECKED: "?"}
 Lines = Callable[..., tuple[str, ...]]
 """Writes an evaluated formula: ``mathml.with_numbers``, ``typst.with_numbers``."""
+TABLE_KEY = "table."
+"""How the key of an assumption begins that was read from a standard table."""
 BAR_END = 1.25
 """Utilisation at the right end of a bar, so that an exceeded limit is seen to be exceeded."""
 
@@ -95,6 +97,8 @@ class AssumptionView:
     source: str
     count: int = 1
     """How often the same was assumed, for one move after the other for instance."""
+    table: str = ""
+    """Key of the standard table that the value was read from; empty where it comes from elsewhere."""
 
 
 @dataclass(frozen=True)
@@ -239,7 +243,13 @@ def _assumption(item: Assumption, translate: Translate) -> AssumptionView:
         symbol_name=item.symbol,
         value=_any_value(item.value, item.unit, translate),
         source=translate(item.source),
+        table=_table(item.key),
     )
+
+
+def _table(key: str) -> str:
+    """The table behind an assumption, whose key names a further reading of it by a number (``table.f_h#2``)."""
+    return key.removeprefix(TABLE_KEY).partition("#")[0] if key.startswith(TABLE_KEY) else ""
 
 
 def _any_value(value: Any, unit: str, translate: Translate) -> str:

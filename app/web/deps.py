@@ -15,6 +15,7 @@ from app.services.projects import ProjectService
 from app.services.reading import parse_json
 from app.services.selection import SelectionService
 from app.services.sizing import SizingService
+from app.services.tables import TableService
 from app.web.errors import PreconditionRequiredError, UnsupportedMediaError
 from app.web.state import Running
 
@@ -52,6 +53,11 @@ def get_browsing(session: DatabaseSession) -> BrowsingService:
     return BrowsingService(session)
 
 
+def get_tables(session: DatabaseSession) -> TableService:
+    """The standard tables."""
+    return TableService(session)
+
+
 def get_sizing(running: RunningParts) -> SizingService:
     """Calculation of an axis."""
     return running.sizing
@@ -69,6 +75,7 @@ def get_examples(running: RunningParts) -> ExampleService:
 
 Projects = Annotated[ProjectService, Depends(get_projects)]
 Browsing = Annotated[BrowsingService, Depends(get_browsing)]
+Tables = Annotated[TableService, Depends(get_tables)]
 Sizings = Annotated[SizingService, Depends(get_sizing)]
 Selections = Annotated[SelectionService, Depends(get_selection)]
 Examples = Annotated[ExampleService, Depends(get_examples)]

@@ -247,6 +247,11 @@ def test_faults_between_operating_points(engine: Engine, write_edition, second: 
         ("[1]", "", "must be an object"),
         ('{"title": "T"}', ":data", "is missing"),
         ('{"title": "T", "data": [1], "values": 2}', ":values", "unknown entry"),
+        ('{"title": "T", "data": {"curves": [[1, 2]]}}', ":data", "must hold curves"),
+        ('{"title": "T", "data": {"curves": [{"points": [[1]]}]}}', ":data", "must hold curves"),
+        ('{"title": "T", "data": {"curves": [{"points": []}]}}', ":data", "needs points"),
+        ('{"title": "T", "data": {"curves": []}}', ":data", "needs points"),
+        ('{"title": "T", "data": {"curves": [{"points": [[1, 1e999]]}]}}', ":data", "finite"),
     ],
 )
 def test_bad_standard_tables_are_refused(engine: Engine, write_edition, content: str, place: str, text: str):

@@ -30,7 +30,7 @@ ROWS = {
     "braking_resistor": 55,
     "ball_screw": 904,
     "timing_belt": 109,
-    "standard_table": 38,
+    "standard_table": 45,
 }
 
 
@@ -181,8 +181,8 @@ def test_every_row_in_the_database_is_a_row_of_a_file(catalog: CatalogRepository
 
 def test_standard_tables_keep_their_values_and_source(catalog: CatalogRepository):
     table = catalog.standard_table("synchronous_speed_rpm")
-    assert table.payload["50Hz"]["4"] == 1500  # 120 * 50 Hz / 4
-    assert table.payload["60Hz"]["6"] == 1200  # 120 * 60 Hz / 6
+    assert table.payload["50 Hz"]["4 poles"] == 1500  # 120 * 50 Hz / 4
+    assert table.payload["60 Hz"]["6 poles"] == 1200  # 120 * 60 Hz / 6
     assert "SEW" in table.source
 
 

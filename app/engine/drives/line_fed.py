@@ -146,6 +146,17 @@ class LineFed:
             sheet.check("static_power", CHECK_NAMES["static_power"], max(powers), permitted, "kW",
                         "motor: data sheet, rated power", formula="shaft_power", missing=missing)  # fmt: skip
 
+    def _power_increase(self, sheet: Sheet) -> float | None:
+        """K of the duty type: the user's own, else read from the table; None where that does not reach so far."""
+        given, text = self.rules.power_increase, "power increase factor of the duty type"
+        match self.rules.duty_type:
+            case "S2":  # by the longest time in operation
+                minutes = max((state.duration for state in self.load.states), default=0.0) / 60
+                return sheet.look_up("power_increase_s2", text, symbol="K", x=max(minutes, 10.0), given=given)
+            case "S3":
+                return sheet.look_up("power_increase_s3", text, symbol="K", x=max(self.duty * 100, 15.0), given=given)
+        return given or 1.0
+
     def _rating(self, data: MotorData, sheet: Sheet) -> tuple[float | None, str]:
         """Rated power in these surroundings [W], None with what lacks."""
         hot = self.environment.ambient_temperature > RATED_AMBIENT
@@ -161,7 +172,9 @@ class LineFed:
             f_H = sheet.look_up("derating_f_h", text, symbol="f_H", x=self.environment.altitude)
         if f_T is None or f_H is None:
             return None, "factor of the surroundings on the rated power"
-        K = self.rules.power_increase
+        K = self._power_increase(sheet)
+        if K is None:
+            return None, "power increase factor for this operating time"
         if f_T == f_H == K == 1.0:
             return data.winding.rated_power, ""
         return sheet(run.permitted_power, P_N=data.winding.rated_power, f_T=f_T, f_H=f_H, K=K), ""

@@ -64,9 +64,9 @@ class MotorRules(BrakingRules, GearService):
                labels={"S1": "S1: continuous", "S2": "S2: short time", "S3": "S3: intermittent"}),
     ]  # fmt: skip
     power_increase: Annotated[
-        float,
-        Quantity("1", symbol="K", ge=1, le=2, default=1.0, source="rating of continuous duty", group=_MOTOR,
-                 about="power increase factor of the maker for S2 or S3"),
+        float | None,
+        Quantity("1", symbol="K", ge=1, le=2, default=None, group=_MOTOR,
+                 about="power increase factor of the maker for S2 or S3; empty: from the table of the duty type"),
     ]  # fmt: skip
     gear_efficiency: Annotated[
         float | None,

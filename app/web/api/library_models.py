@@ -59,6 +59,64 @@ class ProductAnswer(Answer):
     rows: list[dict[str, Any]]
 
 
+# Standard tables -----------------------------------------------------------------------------------------------------
+class TableSummaryAnswer(Answer):
+    """One standard table."""
+
+    key: str
+    title: str
+    topic: str = Field(description="Name of the topic, as the list takes it")
+    unit: str = Field(description="Unit of values that do not name their own; may be empty")
+    note: str = Field(description="What it is for and how it is used")
+    source: str
+
+
+class CurveAnswer(Answer):
+    """One curve of a chart."""
+
+    family: float
+    points: list[tuple[float, float]] = Field(description="(x, value) by rising x; straight lines between them")
+
+
+class ChartTableAnswer(Answer):
+    """A table whose values are curves."""
+
+    x: str = Field(description="What runs along the curves")
+    family: str = Field(description="What tells the curves apart; empty where there is one")
+    value: str = Field(description="What is read")
+    clamped: bool = Field(description="Whether the end values hold beyond the ends; otherwise there is no value there")
+    source: str
+    curves: list[CurveAnswer]
+
+
+class GridColumnAnswer(Answer):
+    """Heading of a column."""
+
+    label: str
+    unit: str
+    numeric: bool
+
+
+class GridAnswer(Answer):
+    """The values as a rectangular table of texts."""
+
+    title: str
+    groups: list[tuple[str, int]] = Field(
+        description="Upper line of headings: text and number of columns; may be empty"
+    )
+    columns: list[GridColumnAnswer]
+    row_headings: int = Field(description="How many columns at the beginning head their row")
+    rows: list[list[str]]
+
+
+class TableAnswer(TableSummaryAnswer):
+    """One standard table with its values."""
+
+    data: Any = Field(description="The values in the shape in which they are kept")
+    chart: ChartTableAnswer | None = Field(description="null where the values are no curves")
+    grids: list[GridAnswer]
+
+
 # Projects ------------------------------------------------------------------------------------------------------------
 class ProjectAnswer(Answer):
     """A project at one revision."""

@@ -14,11 +14,13 @@ from app.web.api import (
     selections,
     sizings,
     supplies,
+    tables,
 )
 from app.web.errors import problems
 
 router = APIRouter(prefix="/api/v1", responses=problems(400, 500))
 for part in (
-    mechanisms, sizings, supplies, charts, selections, calculations, catalogue, projects, examples, formulas, reports,
+    mechanisms, sizings, supplies, charts, selections, calculations, catalogue, tables, projects, examples, formulas,
+    reports,
 ):  # fmt: skip
     router.include_router(part.router)

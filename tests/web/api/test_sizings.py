@@ -2,6 +2,7 @@
 
 import json
 import math
+from typing import Any
 
 import pytest
 from starlette.testclient import TestClient
@@ -10,6 +11,7 @@ from app.engine.quantity import from_si
 from app.services.catalogue import CatalogueCache
 from app.services.sizing import SizingService
 from app.web.api.models import SizingAnswer
+from tests.line_fed_requests import TABLE, request
 from tests.sizing_requests import SCREW_AXIS
 
 ADDRESS = "/api/v1/sizings"
@@ -97,3 +99,20 @@ def test_without_a_motor_the_demand_is_told(client: TestClient):
     keys = {step["key"] for step in json.loads(answer.content)["steps"]}
     assert {"motor_speed_max", "peak_load_torque_on_motor", "required_motor_inertia"} <= keys
     assert answer.json()["parts"] == {"motor": None, "gear_unit": None, "servo_drive": None}
+
+
+@pytest.mark.parametrize(
+    ("duty", "seconds", "permitted"),
+    [
+        ({"duty_type": "S3", "duty_percent": 40}, 10, 1.725),  # 1.15 * 1.5 kW
+        ({"duty_type": "S3", "duty_percent": 50}, 10, 1.6875),  # between 1.15 and 1.1
+        ({"duty_type": "S2"}, 1800, 1.8),  # 30 minutes: 1.2
+        ({"duty_type": "S2"}, 7200, None),  # beyond the table
+    ],
+)
+def test_the_rating_follows_the_duty_type(client: TestClient, duty: dict[str, Any], seconds: float, permitted: float):
+    """A motor of 1.5 kW; the factors of SEW 2001, 2.3."""
+    made = request(TABLE, motion={"runs": [{"duration_s": seconds}]}, drive=duty)
+    answer = client.post("/api/v1/sizings", json=made).json()
+    (check,) = (one for one in answer["checks"] if one["key"] == "static_power")
+    assert check["permitted"] == (permitted if permitted is None else pytest.approx(permitted))

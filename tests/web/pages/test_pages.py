@@ -28,6 +28,9 @@ PAGES = [
     "/catalogue/servo_motor?text=1FT5&sort=rated_torque_nm&descending=true",
     f"/catalogue/servo_motor/{MOTOR}",
     "/catalogue/induction_motor?page=3",
+    "/tables",
+    "/tables?text=factor&topic=gear_units",
+    "/tables/duty_types",
     "/rest",
 ]
 
