@@ -10,7 +10,7 @@ import pytest
 from app.settings import PROJECT_ROOT
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, ConsoleMessage, Page, Response
 
 ARGUMENTS = [
     "--headless",
@@ -65,6 +65,24 @@ def page(chromium: "Browser", live_server: str) -> "Iterator[Page]":
     yield new_page
     context.close()
     assert not script_errors, f"a script of the page failed: {script_errors}"
+
+
+@pytest.fixture
+def complaints(page: "Page") -> list[str]:
+    """What the browser writes on its console as an error or a warning, and what it does not find."""
+    found: list[str] = []
+
+    def note(message: "ConsoleMessage") -> None:
+        if message.type in ("error", "warning"):
+            found.append(message.text)
+
+    def missing(response: "Response") -> None:
+        if response.status >= 400:
+            found.append(f"{response.status} {response.url}")
+
+    page.on("console", note)
+    page.on("response", missing)
+    return found
 
 
 @pytest.fixture

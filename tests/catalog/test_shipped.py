@@ -30,7 +30,7 @@ ROWS = {
     "braking_resistor": 55,
     "ball_screw": 904,
     "timing_belt": 109,
-    "standard_table": 45,
+    "standard_table": 44,
 }
 
 

@@ -3,7 +3,6 @@
 1500 kg on wheels of 250 mm at 0.5 m/s: the wheels turn with 0.5 / 0.125 = 4 rad/s, which is 38.197 rpm.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlencode
@@ -12,6 +11,7 @@ import pytest
 
 from app.engine.drives import drives
 from app.web.form_data import flat
+from tests.web.browser.keyboard import Keyboard
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -34,19 +34,6 @@ MOVES = {
     "moves": [{"label": "out", "distance_mm": 5000, "speed_m_s": 0.5, "acceleration_m_s2": 0.25, "payload_kg": 1500}],
     "cycle_time_s": 30,
 }
-MOST_TABS = 400
-"""More steps than any form of this page needs."""
-PAUSE_MS = 350
-"""Longer than the page waits behind a letter before it calculates."""
-
-PLACE = """wanted => {
-  const one = document.activeElement;
-  if (one === null || one === document.body) return "nowhere";
-  if (one.name === wanted.name && (!wanted.value || one.value === wanted.value)) return "there";
-  const held = one.matches("summary") && !one.parentElement.open && one.parentElement;
-  return held && [...held.querySelectorAll("[name]")].some((inner) => inner.name === wanted.name) ? "folded" : "before";
-}"""
-"""Whether the focus is on a control, on a closed group around it, or somewhere else."""
 
 
 @dataclass(frozen=True)
@@ -164,81 +151,16 @@ CASES = {
 }  # fmt: skip
 
 
-class Keyboard:
-    """A reader without a mouse: Tab, Enter, arrow keys and letters."""
-
-    def __init__(self, page: "Page") -> None:
-        self._page = page
-        self._keys = page.keyboard
-        self._typed = False
-
-    def skip_to_content(self) -> None:
-        """Take the first link of the page."""
-        self._keys.press("Tab")
-        assert self._page.evaluate("document.activeElement.hash") == "#main"
-        self._keys.press("Enter")
-
-    def reach(self, name: str, value: str = "") -> None:
-        """Tab forward to a control; a closed group around it is opened on the way."""
-        for _ in range(MOST_TABS):
-            place = self._page.evaluate(PLACE, {"name": name, "value": value})
-            if place == "there":
-                return
-            if place == "folded":
-                self._keys.press("Enter")
-            self._keys.press("Tab")
-        raise AssertionError(f"Tab does not lead to {name}")
-
-    def pause(self) -> None:
-        """Look up until what was typed is calculated."""
-        self._page.wait_for_timeout(PAUSE_MS if self._typed else 0)
-        self._typed = False
-        self._page.wait_for_function("() => document.querySelector('[data-calculating]').hidden")
-
-    def choose(self, name: str, value: str) -> None:
-        """Choose by arrow keys; the focus stays where it is while the form is rebuilt."""
-        self.reach(name)
-        self.pause()
-        for key in self._presses(name, value):
-            if self._page.evaluate("document.activeElement.matches('[data-rebuild]')"):
-                with self._page.expect_response("**/form"):
-                    self._keys.press(key)
-                self._page.wait_for_function("() => document.querySelector('[data-calculating]').hidden")
-            else:
-                self._keys.press(key)
-            assert self._page.evaluate("document.activeElement.name") == name
-        assert self._page.evaluate("document.activeElement.value") == value
-
-    def _presses(self, name: str, value: str) -> Iterator[str]:
-        control = self._page.locator(f'[name="{name}"]')
-        values = control.evaluate("one => [...one.options].map((option) => option.value)")
-        steps = values.index(value) - values.index(control.input_value())
-        yield from ["ArrowDown" if steps > 0 else "ArrowUp"] * abs(steps)
-
-    def add(self, name: str) -> None:
-        """Add a row to a list; the focus goes into it."""
-        self.reach("add", name)
-        self.pause()
-        with self._page.expect_response("**/form"):
-            self._keys.press("Enter")
-        self._page.wait_for_function("wanted => document.activeElement.name?.startsWith(wanted)", arg=f"{name}.1.")
-
-    def type(self, name: str, text: str) -> None:
-        """Type into an empty entry."""
-        self.reach(name)
-        self._keys.type(text)
-        self._typed = True
-
-    def enter(self, entries: tuple[tuple[str, str], ...]) -> None:
-        """Enter everything, in the order of the page."""
-        for what, text in entries:
-            word, _, name = what.rpartition(" ")
-            if word == "choose":
-                self.choose(name, text)
-            elif what == "add":
-                self.add(text)
-            else:
-                self.type(name, text)
+def enter(keyboard: Keyboard, entries: tuple[tuple[str, str], ...]) -> None:
+    """Enter everything, in the order of the page."""
+    for what, text in entries:
+        word, _, name = what.rpartition(" ")
+        if word == "choose":
+            keyboard.choose(name, text)
+        elif what == "add":
+            keyboard.add(text)
+        else:
+            keyboard.type(name, text)
 
 
 def opened(page: "Page", case: Case) -> Keyboard:
@@ -263,7 +185,7 @@ def test_a_drive_is_chosen_and_typed_with_the_keyboard(page: "Page", kind: str) 
     keyboard = opened(page, case)
     keyboard.skip_to_content()
     keyboard.choose("drive.kind", kind)
-    keyboard.enter(case.typed)
+    enter(keyboard, case.typed)
     for key, value in case.headlines.items():
         page.locator(f'[data-headline="{key}"] dd', has_text=value).wait_for()
     for what, text in case.typed:

@@ -8,28 +8,10 @@ from app.engine.mechanisms import mechanisms
 from app.web.form_models import border
 
 if TYPE_CHECKING:
-    from playwright.sync_api import ConsoleMessage, Page, Response
+    from playwright.sync_api import Page
 
 KINDS = list(mechanisms())
 CONTROLS = "input:not([type=hidden]), select, textarea"
-
-
-@pytest.fixture
-def complaints(page: "Page") -> list[str]:
-    """What the browser writes on its console as an error or a warning, and what it does not find."""
-    found: list[str] = []
-
-    def note(message: "ConsoleMessage") -> None:
-        if message.type in ("error", "warning"):
-            found.append(message.text)
-
-    def missing(response: "Response") -> None:
-        if response.status >= 400:
-            found.append(f"{response.status} {response.url}")
-
-    page.on("console", note)
-    page.on("response", missing)
-    return found
 
 
 def choose(page: "Page", kind: str) -> None:
