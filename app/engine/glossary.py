@@ -99,6 +99,7 @@ _TERMS: tuple[tuple[str, str, str], ...] = (
     ("T T_k", "torque of the load, behind a stage", "N m"),
     ("T_2", "torque at the output in the segment that decides", "N m"),
     ("T_max", "largest torque at the output in operation", "N m"),
+    ("U_K", "unbalance of a crank towards its pin", "kg m"),
     ("U_1", "voltage of the inverter", "V"),
     ("U_N", "rated voltage of the winding as it is connected", "V"),
     ("V", "volume", "m3"),

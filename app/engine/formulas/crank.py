@@ -6,11 +6,13 @@ The angle is zero in the dead centre where the slide is farthest from the crank 
 from app.engine.formula import arctan, cos, formula, sin, sqrt
 from app.engine.units import (
     Kilogram,
+    KilogramMetre,
     KilogramMetre2,
     Metre,
     MetrePerRad,
     MetrePerSecond,
     MetrePerSecond2,
+    NewtonMetre,
     One,
     Rad,
     RadPerSecond,
@@ -120,6 +122,31 @@ def rod_inertia_with_crank(m_P: Kilogram, x_P: One, r: Metre) -> KilogramMetre2:
     2.25
     """
     return m_P * (1 - x_P) * r**2
+
+
+@formula(symbol="U", unit="kg m", source="derived: rod replaced by two masses with the same centre of mass")
+def crank_unbalance(U_K: KilogramMetre, m_P: Kilogram, x_P: One, r: Metre) -> KilogramMetre:
+    """Unbalance of crank and rod about the crank shaft, towards the crank pin.
+
+    ``U_K`` that of the crank, negative for a counterweight, ``m_P`` mass of the rod, ``x_P`` distance of its centre of
+    mass from the crank pin as a share of its length, ``r`` crank radius.
+
+    >>> crank_unbalance(-1.0, 12.0, 0.25, 0.5)
+    3.5
+    """
+    return U_K + m_P * (1 - x_P) * r
+
+
+@formula(symbol="M_U", unit="N m", source="derived: weight times arm; the pin rises from the outer dead centre")
+def crank_weight_torque(U_K: KilogramMetre, g: MetrePerSecond2, phi: Rad, delta: Rad) -> NewtonMetre:
+    """Torque that lifts the unbalance of crank and rod; negative where its weight drives.
+
+    ``U_K`` unbalance towards the crank pin, ``g`` gravity, ``phi`` angle of the crank, ``delta`` slope of the slideway.
+
+    >>> crank_weight_torque(2.0, 10.0, 0.0, 0.0)
+    20.0
+    """
+    return U_K * g * cos(phi - delta)
 
 
 @formula(symbol="v", unit="m/s", source="SEW 2001, 14.1: two harmonics in place of the exact speed")

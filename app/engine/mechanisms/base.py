@@ -36,6 +36,8 @@ class Mechanism(Declared):
     motion_kind: ClassVar[Literal["linear", "rotary"]]
     follows_course: ClassVar[bool] = False
     """Whether the torque of a segment depends on angle or course of the speed: then segments are cut finely."""
+    one_way: ClassVar[bool] = False
+    """Whether only the motion as described is meant: running it backward from the same start is another task."""
     shown_last: ClassVar[frozenset[str]] = frozenset(
         {"stage_ratio", "stage_efficiency", "stage_inertia", "further_bodies"}
     )

@@ -34,6 +34,7 @@ class Crank(Mechanism):
     drawing: ClassVar[str] = "crank.svg"
     motion_kind: ClassVar[Literal["linear", "rotary"]] = "rotary"
     follows_course: ClassVar[bool] = True
+    one_way: ClassVar[bool] = True
 
     kind: Literal["crank"] = "crank"
     crank_radius: Annotated[
@@ -53,12 +54,17 @@ class Crank(Mechanism):
     rod_mass: Annotated[
         float,
         Quantity("kg", symbol="m_P", ge=0, le=1e5, default=0.0, source="left out until given", group=CRANK,
-                 about="mass of the rod"),
+                 about="mass of the rod; the pin rises as it leaves the outer dead centre"),
     ]  # fmt: skip
     rod_centre: Annotated[
         float,
         Quantity("1", symbol="x_P", ge=0, le=1, default=0.5, source="uniform rod", group=CRANK,
                  about="centre of mass of the rod: distance from the crank pin as a share of its length"),
+    ]  # fmt: skip
+    unbalance: Annotated[
+        float,
+        Quantity("kg m", symbol="U_K", ge=-1e6, le=1e6, default=0.0, source="balanced, the rod apart", group=CRANK,
+                 about="unbalance of the crank towards its pin, mass times distance; negative: counterweight"),
     ]  # fmt: skip
     slide_mass: Annotated[
         float,
@@ -154,11 +160,8 @@ class Crank(Mechanism):
         cycle = slide.cycle(course, environment.regeneration)
         slide.record(sheet, course, cycle, environment.regeneration)
         self._record_approximation(sheet, slide, motion.max_speed)
-        mirrored = followed(motion.mirrored(), self.start_angle, Sheet())
-        both_ways = abs(np.sin(self.start_angle)) < 1e-9
         return Load(
             cycle=cycle, statics=slide.statics(course, environment.regeneration),
-            opposite=None if both_ways else slide.cycle(mirrored, environment.regeneration),
             results={"largest_slide_speed": sheet.value("largest_slide_speed")},
             diagrams=slide.diagrams(motion.max_speed, environment.regeneration),
         )  # fmt: skip
@@ -179,7 +182,10 @@ class Crank(Mechanism):
         """Everything that moves, with its forces written to ``sheet``."""
         g, rod, turning = environment.gravity, 0.0, self.crank_inertia
         with sheet.section("Slide and resistances"):
+            unbalance = self.unbalance
             if self.rod_mass:
+                unbalance = sheet(formulas.crank_unbalance, U_K=unbalance, m_P=self.rod_mass, x_P=self.rod_centre,
+                                  r=self.crank_radius)  # fmt: skip
                 rod = sheet(formulas.rod_mass_with_slide, m_P=self.rod_mass, x_P=self.rod_centre)
                 turning += sheet(formulas.rod_inertia_with_crank, m_P=self.rod_mass, x_P=self.rod_centre,
                                  r=self.crank_radius)  # fmt: skip
@@ -200,6 +206,7 @@ class Crank(Mechanism):
                 idle = self._resistance(sheet, "resistance_empty", "Friction on the empty stroke", empty, g)
         return Slide(
             radius=self.crank_radius, rod=self.rod_length, start=self.start_angle, turning_inertia=turning,
+            unbalance=unbalance, gravity=g, slope=self.inclination,
             efficiency=self.efficiency, loaded=self.loaded, masses=(empty, full), weights=(weights[1], weights[0]),
             frictions=(idle, loaded), process_force=self.process_force,
         )  # fmt: skip

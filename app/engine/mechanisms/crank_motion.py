@@ -8,6 +8,7 @@ import numpy as np
 
 from app.engine.cycle import LoadCycle
 from app.engine.diagram import Diagram, series
+from app.engine.errors import EngineError
 from app.engine.formulas import crank as formulas
 from app.engine.formulas.conversion import acceleration_torque, linear_speed, sum_of_torques, torque_of_force
 from app.engine.formulas.duty import effective_torque
@@ -27,6 +28,8 @@ SLIVER = 1e-3
 LEAST_RAMP_STEPS = 32
 MOST_STEPS = 20_000
 """Beyond so many, whole turns at constant speed are counted once and last longer instead."""
+MOST_FOLLOWED = 200_000
+"""So many pieces are computed at most: about 550 turns of ramps."""
 TURN = 2 * np.pi
 CRAWLING = 1e-6
 """Share of the highest speed at which no inertia is felt."""
@@ -51,7 +54,13 @@ def followed(motion: MotionProfile, start: float, sheet: Sheet) -> Course:
     if len(motion.duration) == 1 and speed and motion.acceleration[0] == 0 and not motion.own_ramps:
         sheet.decide("One turn stands for all", "the crank runs on at constant speed")
         return _cut(motion.segment(0, TURN / abs(speed)), start)
-    if np.abs(np.diff(motion.position)).sum() / ANGLE_STEP > MOST_STEPS:
+    turned = np.abs(np.diff(motion.position))
+    in_ramps = float(turned[motion.acceleration != 0].sum())
+    whole = np.minimum(turned[motion.acceleration == 0], 2 * TURN).sum()
+    if (in_ramps + whole) / ANGLE_STEP > MOST_FOLLOWED:
+        message = f"the crank makes {in_ramps / TURN:.0f} turns in its ramps, too many to follow angle by angle"
+        raise EngineError(f"{message}: shorten the ramps, or describe a part of the cycle")
+    if turned.sum() / ANGLE_STEP > MOST_STEPS:
         sheet.decide("Turns at constant speed are computed once and weighted", "the cycle has very many turns")
         return _weighted(motion, start)
     if abs(np.remainder(float(motion.position[-1]) + np.pi, TURN) - np.pi) > 1e-6:
@@ -121,6 +130,10 @@ class Slide:
     start: float
     turning_inertia: float
     """Crank, and the rod's part that turns with it [kg m2]"""
+    unbalance: float
+    """Of crank and rod, towards the crank pin [kg m]"""
+    gravity: float
+    slope: float
     efficiency: float
     loaded: Literal["both", "inward", "outward"]
     masses: tuple[float, float]
@@ -161,7 +174,11 @@ class Slide:
     def torque(self, phi: Any, omega: Any, alpha: Any, model: RegenerationModel) -> Any:
         """Torque at the crank with losses [N m]."""
         passed = through_stage(self.net_torque(phi, omega, alpha), omega, self.efficiency, model)
-        return passed + acceleration_torque(self.turning_inertia, alpha)
+        return passed + acceleration_torque(self.turning_inertia, alpha) + self.weight_torque(phi)
+
+    def weight_torque(self, phi: Any) -> Any:
+        """Torque that lifts crank and rod themselves [N m]."""
+        return formulas.crank_weight_torque(self.unbalance, self.gravity, phi, self.slope)
 
     def inertia(self, payload: float) -> float:
         """Largest inertia at the crank over the turn [kg m2]."""
@@ -197,7 +214,7 @@ class Slide:
         rubbing = float(np.abs(A * max(self.frictions)).max())
         working = (motion.process_force != 0) & (motion.mean_speed != 0)
         process = float(np.abs(motion.process_force[motion.mean_speed == 0]).max(initial=0.0))
-        held = float(np.abs(A * max(self.weights, key=abs)).max())
+        held = float(np.abs(A * max(self.weights, key=abs) + self.weight_torque(angles)).max())
         largest = float(np.abs(motion.process_force[working]).max(initial=0.0)) + float(np.abs(forward).max())
         ends = np.maximum(np.abs(motion.speed_start), np.abs(motion.speed_end))
         return Statics(
@@ -249,6 +266,9 @@ class Slide:
             turning = self.turning_inertia + float(motion.payload[k])
             process = float(motion.process_force[k] * motion.direction[k])
             others = [process]
+            if self.unbalance:
+                others.append(sheet(formulas.crank_weight_torque, key=f"{prefix}weight_torque", U_K=self.unbalance,
+                                    g=self.gravity, phi=phi, delta=self.slope))  # fmt: skip
             if alpha and turning:
                 label = "Torque that accelerates what only turns"
                 others.append(sheet(acceleration_torque, key=f"{prefix}turning_torque", symbol="M_a", label=label,
@@ -266,7 +286,9 @@ class Slide:
     def _record_extremes(self, sheet: Sheet, omega: float, model: RegenerationModel) -> None:
         """Write the outermost torques of a turn at the highest speed, at their exact angles."""
         for key, words, sign in (("driving", "drives most", 1.0), ("returning", "is driven most", -1.0)):
-            phi = angle_of_largest(lambda angles: np.asarray(self.net_torque(angles, omega, 0.0)), sign)
+            phi = angle_of_largest(
+                lambda angles: self.net_torque(angles, omega, 0.0) + self.weight_torque(angles), sign
+            )
             with sheet.section(f"Constant speed: angle at which the crank {words}"):
                 label = "Travel per radian there"
                 A = sheet(formulas.crank_transmission, key=f"{key}_transmission", label=label, phi=phi, r=self.radius,
@@ -277,6 +299,12 @@ class Slide:
                 label = "Torque at the crank with the losses of the mechanism"
                 with_losses = record_stage(sheet, ideal, omega, self.efficiency, model, key=f"{key}_torque", symbol="M",
                                            label=label)  # fmt: skip
+                if self.unbalance:
+                    lifting = sheet(formulas.crank_weight_torque, key=f"{key}_weight_torque", U_K=self.unbalance,
+                                    g=self.gravity, phi=phi, delta=self.slope)  # fmt: skip
+                    label = "Torque at the crank, weight of crank and rod included"
+                    with_losses = sheet(sum_of_torques, key=f"{key}_torque_total", symbol="M", label=label,
+                                        M_k=[with_losses, lifting])  # fmt: skip
                 label = f"Power where the crank {words}"
                 sheet(signed_power, key=f"{key}_power", label=label, M=with_losses, omega=omega)
 

@@ -9,6 +9,7 @@ import numpy as np
 from app.engine.cycle import LoadCycle
 from app.engine.diagram import Diagram, series
 from app.engine.environment import Environment
+from app.engine.errors import EngineError
 from app.engine.formulas import fluid as formulas
 from app.engine.formulas.conversion import acceleration_torque, sum_of_torques
 from app.engine.mechanisms.base import Mechanism
@@ -81,6 +82,9 @@ class FluidMachine(Mechanism):
             label = "Torque of the operating point"
             rated = sheet(formulas.torque_of_power, key="rated_load_torque", label=label, P=power,
                           omega=self.rated_speed)  # fmt: skip
+        if rated < self.friction_torque:  # only where gravity is not that of the inputs' own check
+            message = f"must be below the torque of the operating point, {rated:.4g} N m"
+            raise EngineError(message, field=self.border_name("friction_torque"))
         course = _refined(motion)
         cycle = self._cycle(course, rated, g)
         self._record(sheet, course, cycle, rated, g)

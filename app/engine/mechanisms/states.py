@@ -6,7 +6,7 @@ from itertools import groupby
 
 import numpy as np
 
-from app.engine.motion.profile import MotionProfile
+from app.engine.motion.profile import BoolArray, MotionProfile
 
 Words = tuple[str, str]
 """What motion in positive and in negative direction is called, e.g. ``("lifting", "lowering")``."""
@@ -43,7 +43,8 @@ def steady_runs(
     """The distinct steady runs of a motion, those of the largest payload first.
 
     ``both_directions`` adds the opposite of each, ``also_unladen`` the run without payload: states that the axis can
-    come into although the motion does not show them, with no starts. A motion that never stands has no starts.
+    come into although the motion does not show them, with no starts. Every departure from standstill is a start, also
+    between two runs without a pause and where the motion turns round; a motion that never stands has none.
     """
     found: dict[tuple[float, float, float], SteadyRun] = {}
     for run in _runs(motion):
@@ -69,15 +70,15 @@ def steady_runs(
 
 
 def _runs(motion: MotionProfile) -> Iterator[SteadyRun]:
-    """Every run of the cycle by itself."""
+    """Every run of the cycle by itself: from one departure to the next, or to a standstill."""
     moving = motion.mean_speed != 0
-    endless = bool(moving.all()) and not motion.own_ramps and abs(motion.speed_start[0] - motion.speed_end[-1]) < 1e-12
-    numbers = range(len(motion.duration))
+    departs = np.ones(len(moving), dtype=bool) if motion.own_ramps else departures(motion)
+    number = np.cumsum(departs & moving)
 
     def group(k: int) -> tuple[bool, float, int]:
-        return bool(moving[k]), float(np.sign(motion.mean_speed[k])), k if motion.own_ramps else -1
+        return bool(moving[k]), float(np.sign(motion.mean_speed[k])), int(number[k])
 
-    for (moves, direction, _), members in groupby(numbers, key=group):
+    for (moves, direction, _), members in groupby(range(len(motion.duration)), key=group):
         if not moves:
             continue
         chosen = list(members)
@@ -89,10 +90,24 @@ def _runs(motion: MotionProfile) -> Iterator[SteadyRun]:
             process_force=float(motion.process_force[worst]),
             direction=direction,
             speed=float(ends.max()),
-            starts=0.0 if endless else 1.0,
+            starts=float(departs[chosen[0]]),
             duration=float(motion.duration[chosen].sum()),
             at_speed_only=_only_at_speed(motion, chosen, worst),
         )
+
+
+def departures(motion: MotionProfile) -> BoolArray:
+    """Which segments leave a standstill, shape (n,): speed 0 at the border before them, or another direction.
+
+    The cycle repeats: before its first segment comes its last one. A motion that only runs on has no departure.
+    """
+    tiny = 1e-9 * motion.max_speed
+    before = np.roll(motion.speed_end, 1)
+    direction = np.sign(motion.mean_speed)
+    stood = (np.abs(motion.speed_start) <= tiny) | (np.abs(before) <= tiny)
+    turned = np.roll(direction, 1) * direction < 0
+    found: BoolArray = (stood | turned) & (direction != 0)
+    return found
 
 
 def _only_at_speed(motion: MotionProfile, chosen: Sequence[int], worst: int) -> bool:

@@ -25,7 +25,7 @@ DIAMETER_STEP = 5e-4
 """Relative change of the diameter over which it counts as constant."""
 RAMP_PIECES = 128
 MOST_PIECES = 20_000
-"""Of one segment."""
+"""Beyond so many the pieces become coarser."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +45,7 @@ class Winder(Mechanism):
     drawing: ClassVar[str] = "winder.svg"
     motion_kind: ClassVar[Literal["linear", "rotary"]] = "linear"
     follows_course: ClassVar[bool] = True
+    one_way: ClassVar[bool] = True
 
     kind: Literal["winder"] = "winder"
     core_diameter: Annotated[
@@ -109,15 +110,28 @@ class Winder(Mechanism):
 
     def load_at_shaft(self, motion: MotionProfile, environment: Environment, sheet: Sheet) -> Load:
         """Load cycle at the axis of the reel, cut where its diameter grows."""
-        course = self._course(motion)
+        course = self._course(self._whole_reel(motion, sheet))
         cycle = self._cycle(course)
         self._record_reel(sheet, course)
         self._record_phases(sheet, course, cycle)
         return Load(
-            cycle=cycle, statics=self._statics(course), opposite=self._cycle(self._course(motion.mirrored())),
+            cycle=cycle, statics=self._statics(course),
             results={"web_power": sheet.value("web_power"), "largest_diameter": sheet.value("largest_diameter")},
             diagrams=self._diagrams(course, cycle),
         )  # fmt: skip
+
+    def _whole_reel(self, motion: MotionProfile, sheet: Sheet) -> MotionProfile:
+        """A motion that simply runs on lasts until the reel is full or empty."""
+        v = float(motion.speed_start[0])
+        if not motion.endless or v == 0:
+            return motion
+        grows = v * self._sense > 0
+        start, end = self._start, self.full_diameter if grows else self.core_diameter
+        length = abs(float(formulas.reel_length(max(start, end), min(start, end), self.thickness)))
+        if length == 0:
+            return motion
+        sheet.decide(f"The web runs until the reel is {'full' if grows else 'empty'}", "the motion runs on without end")
+        return motion.segment(0, length / abs(v))
 
     def _diameter(self, position: FloatArray) -> FloatArray:
         found = formulas.reel_diameter(self._start, self.thickness, self._sense * position, self.core_diameter)
@@ -128,7 +142,8 @@ class Winder(Mechanism):
         growth = np.abs(np.diff(np.log(reached)))
         turning = np.abs(motion.speed_end - motion.speed_start) > 0
         least = np.where(turning & (growth > DIAMETER_STEP / 100), RAMP_PIECES, 1)
-        parts = np.clip(np.ceil(growth / DIAMETER_STEP), least, MOST_PIECES).astype(int)
+        coarser = max(float(growth.sum()) / DIAMETER_STEP / MOST_PIECES, 1.0)
+        parts = np.maximum(np.ceil(growth / DIAMETER_STEP / coarser), least).astype(int)
         pieces = split(motion, parts)
         position = pieces.position
         half = (3 * pieces.speed_start + pieces.speed_end) / 8 * pieces.duration

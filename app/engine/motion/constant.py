@@ -16,7 +16,7 @@ from app.engine.quantity import Declaration, Option, Quantity
 from app.engine.sheet import Sheet
 
 NOMINAL_DURATION = 1.0
-"""Length of a cycle of steady running alone [s]; no result depends on it."""
+"""Length of a cycle of steady running alone [s]; what depends on it takes a length of its own, see ``endless``."""
 NOMINAL_STARTS = 1.0
 """Starts per hour where none are given: so rare that they count for the peak, not for the effective value."""
 HOUR = 3600.0
@@ -73,7 +73,7 @@ class SteadyRunning(MotionModel):
             if ramps is None:
                 self._run(segments, self.duration or NOMINAL_DURATION)
                 sheet.decide("Steady running only", "without a run-up nothing but the steady load is judged")
-                return segments.profile()
+                return segments.profile(endless=self.duration is None)
             up, down = ramps
             running, rest = self._running_and_rest(up.time + down.time, sheet)
             size, direction = abs(self.speed), self._direction

@@ -52,6 +52,8 @@ class MotionProfile:
     at_speed_only: BoolArray | None = None
     """True where the process force acts at full speed only, shape (n,); None: nowhere. Matters where the drive makes
     its own ramps; other motions show it by their segments."""
+    endless: bool = False
+    """Whether it simply runs on: then its length is nominal and means nothing."""
     own_ramps: bool = False
     """Whether the drive makes its own ramps: then the segments hold none, and only such a drive can follow them."""
 

@@ -111,13 +111,15 @@ class Segments:
         force = burden.force("standstill")
         self.add(duration, 0.0, 0.0, burden, force, direction, label, braked=hold == "brake")
 
-    def profile(self, *, own_ramps: bool = False, at_speed_only: Sequence[bool] | None = None) -> MotionProfile:
-        """The collected segments as arrays; ``own_ramps``: they hold no ramps, the drive makes them."""
+    def profile(
+        self, *, own_ramps: bool = False, endless: bool = False, at_speed_only: Sequence[bool] | None = None
+    ) -> MotionProfile:
+        """The collected segments as arrays; see the attributes of the profile."""
         numbers = np.array([row[:6] for row in self._rows], dtype=float).T
         duration, start, end, payload, force, direction = numbers
         return MotionProfile(
             kind=self.kind, duration=duration, speed_start=start, speed_end=end, payload=payload, process_force=force,
             direction=direction, braked=np.array([row[6] for row in self._rows], dtype=bool),
-            label=tuple(row[7] for row in self._rows), own_ramps=own_ramps,
+            label=tuple(row[7] for row in self._rows), own_ramps=own_ramps, endless=endless,
             at_speed_only=None if at_speed_only is None else np.array(at_speed_only, dtype=bool),
         )  # fmt: skip

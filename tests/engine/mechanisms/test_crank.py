@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+from app.engine.errors import EngineError
 from app.engine.formulas import crank as formulas
 from app.engine.mechanisms.crank import Crank
 from app.engine.motion.constant import ConstantRotation
@@ -104,9 +105,44 @@ def test_whole_turns_of_a_long_run_are_weighted():
     assert float((cycle.mean_speed * cycle.duration).sum()) == pytest.approx(299 * 2 * math.pi)
 
 
-def test_starting_elsewhere_makes_the_two_directions_differ():
-    assert loaded(pusher(), turning()).opposite is None
-    assert loaded(pusher(start_angle_deg=90), turning()).opposite is not None
+def exact_power(phi: float, omega: float, rod: float, goods: float, share: float, slope: float) -> float:
+    """Rate of the kinetic and potential energy of the rod's two masses and the slide, by numerical differentiation."""
+    r, l, g, h = 0.5, 2.0, 9.81, 1e-5
+
+    def energy(angle: float) -> float:
+        v = formulas.crank_transmission(angle, r, l) * omega
+        pin = rod * (1 - share)
+        # the slide climbs inward with the slideway; the pin starts outward and rises first
+        height = -r * math.cos(angle) * math.sin(slope) + r * math.sin(angle) * math.cos(slope)
+        climbed = formulas.crank_way(angle, r, l) * math.sin(slope)
+        moved = goods + rod * share
+        return moved * v**2 / 2 + pin * (r * omega) ** 2 / 2 + moved * g * climbed + pin * g * height
+
+    return (energy(phi + h) - energy(phi - h)) / (2 * h) * omega
+
+
+@pytest.mark.parametrize("slope", [0.0, 30.0, 90.0, -90.0])
+def test_the_weight_of_the_rod_turns_the_crank(slope: float):
+    heavy = pusher(load_mass_kg=25, rod_mass_kg=100, efficiency=1, friction_coefficient=0, wheel_diameter_mm=None,
+                   inclination_deg=slope)  # fmt: skip
+    cycle = loaded(heavy, turning(10)).cycle
+    angles = (np.cumsum(cycle.duration) - cycle.duration / 2) * (math.pi / 3)
+    omega, tilt = math.pi / 3, math.radians(slope)
+    expected = [exact_power(float(phi), omega, 100, 25, 0.5, tilt) / omega for phi in angles]
+    np.testing.assert_allclose(cycle.torque, expected, atol=1e-3 * np.abs(cycle.torque).max())
+
+
+def test_a_counterweight_relieves_the_crank():
+    """Half of 100 kg at 0.5 m: 25 kg m, 245.25 N m to hold; a counterweight takes it away."""
+    level = {"load_mass_kg": 1, "rod_mass_kg": 100, "friction_coefficient": 0, "wheel_diameter_mm": None}
+    assert loaded(pusher(**level), turning()).statics.holding == pytest.approx(245.25)
+    assert loaded(pusher(**level, unbalance_kgm=-25), turning()).statics.holding == pytest.approx(0, abs=1e-9)
+
+
+def test_more_turns_in_the_ramps_than_can_be_followed_are_refused():
+    motion = ConstantRotation.model_validate({"speed_rpm": 3000, "run_up_time_s": 100, "starts_per_hour": 1})
+    with pytest.raises(EngineError, match="5000 turns in its ramps"):
+        loaded(pusher(), motion.solve(Sheet()))
 
 
 def test_a_rod_as_short_as_the_crank_is_refused():

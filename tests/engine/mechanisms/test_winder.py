@@ -8,6 +8,7 @@ import pytest
 from pydantic import ValidationError
 
 from app.engine.mechanisms.winder import Winder
+from app.engine.motion.constant import ConstantMotion
 from app.engine.motion.moves import Moves
 from app.engine.motion.profile import MotionProfile
 from app.engine.sheet import Sheet
@@ -84,6 +85,21 @@ def test_friction_takes_power_in_both_directions():
     assert work(held) - work(free) == pytest.approx(4 * angle)
     assert angle == pytest.approx(2 * math.pi * (written(winder(), running(50)).value("largest_diameter") - 0.1) / 2e-4,
                                   rel=1e-3)  # fmt: skip
+
+
+def test_a_web_that_runs_on_fills_the_reel():
+    """pi (1 - 0.01) / 4e-4 m at 5 m/s, then 300 N at 0.5 m; 5 m/s on a core of 0.1 m are 100 rad/s."""
+    motion = ConstantMotion.model_validate({"speed_m_s": 5}).solve(Sheet())
+    found = loaded(winder(), motion)
+    assert found.cycle.cycle_time == pytest.approx(7775.4418 / 5, rel=1e-6)
+    assert found.cycle.torque.max() == pytest.approx(150, rel=5e-3)  # the growing reel slows down
+    assert loaded(winder(task="unwind"), motion).cycle.speed_end[-1] == pytest.approx(100, rel=1e-3)
+    timed = ConstantMotion.model_validate({"speed_m_s": 5, "duration_s": 10}).solve(Sheet())
+    assert loaded(winder(), timed).cycle.cycle_time == pytest.approx(10)
+
+
+def test_running_backward_from_the_same_start_is_another_task():
+    assert loaded(winder(task="unwind"), running()).opposite is None
 
 
 def test_what_does_not_fit_together():
