@@ -114,6 +114,7 @@ class Hoist(Mechanism):
                           front_inertia=self.drum_inertia)  # fmt: skip
         cycle = axis.cycle(motion, environment)
         record_axis(axis, sheet, motion, cycle, environment)
+        self._check_slack(sheet, motion, environment.gravity)
         return Load(
             cycle=cycle,
             statics=axis.statics(motion, environment),
@@ -122,3 +123,12 @@ class Hoist(Mechanism):
             states=axis.states(motion, environment, permissible_acceleration=self.permissible_acceleration,
                                also_unladen=True, words=LIFTING),
         )  # fmt: skip
+
+    def _check_slack(self, sheet: Sheet, motion: MotionProfile, gravity: float) -> None:
+        """A rope only pulls: a cage cannot be sent down faster than it falls, nor a counterweight."""
+        if motion.own_ramps or not motion.acceleration.any() or not gravity:
+            return
+        both = self.counterweight_mass > 0
+        downward = float(np.abs(motion.acceleration).max()) if both else float((-motion.acceleration).max())
+        sheet.check("rope_slack", "Acceleration downward: the rope stays taut", max(downward, 0.0), gravity, "m/s2",
+                    "derived: free fall")  # fmt: skip

@@ -59,3 +59,16 @@ def test_the_opposite_cycle_returns_power_while_lowering():
 
 def test_the_drawing_shows_the_fields():
     drawing_shows_fields([Hoist, LinearRun], "hoist.svg", {"m_0", "m_c", "m_p", "D", "n_r", "eta_L", "J_D", "i_2"})
+
+
+@pytest.mark.parametrize(("a", "counterweight", "verdict"), [(12, 0, "ok"), (-12, 0, "fails"), (12, 100, "fails")])
+def test_a_rope_only_pulls(a: float, counterweight: float, verdict: str):
+    """Stopping while lifting, or starting to lower, by more than g; a counterweight falls on the other side."""
+    rate, stop = (abs(a), 2.0) if a > 0 else (2.0, abs(a))
+    move = {"distance_mm": 1000, "speed_m_s": 0.5, "acceleration_m_s2": rate, "deceleration_m_s2": stop}
+    hoist = Hoist.model_validate(
+        {"cage_mass_kg": 200, "drum_diameter_mm": 250, "counterweight_mass_kg": counterweight}
+    )  # fmt: skip
+    sheet = Sheet()
+    hoist.load(Moves.model_validate({"moves": [move]}).solve(Sheet()), Environment.model_validate({}), sheet)
+    assert [check.verdict for check in sheet.checks if check.key == "rope_slack"] == [verdict]
