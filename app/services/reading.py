@@ -86,7 +86,7 @@ def field_errors(errors: Iterable[ErrorDetails], model: type[BaseModel], raw: An
     for error in told:
         if error["type"] == "too_short" and any(_deeper(other["loc"], error["loc"]) for other in told):
             continue  # a list is not short: one of its entries was refused and is told itself
-        path = reader_path(error["loc"], raw, missing=error["type"] == "missing")
+        path = reader_path(error["loc"], raw, missing=error["type"] in ("missing", "related_fields"))
         if error["type"].startswith("union_tag"):
             path = (*path, str(error.get("ctx", {}).get("discriminator", "kind")).strip("'"))
         message = _message(error, model, path, raw)
@@ -102,6 +102,8 @@ def _deeper(location: tuple[str | int, ...], outer: tuple[str | int, ...]) -> bo
 
 def reader_path(location: tuple[str | int, ...], raw: Any, *, missing: bool = False) -> Path:
     """Location of an error without what pydantic adds for itself (tags and members of unions).
+
+    ``missing``: the last part names a field, whether it was given or not.
 
     >>> raw = {"motion": {"kind": "moves", "moves": [{"distance_mm": "x"}]}}
     >>> reader_path(("motion", "moves", "moves", 0, "distance_mm"), raw)

@@ -18,6 +18,10 @@ function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
+function liveHeight(severalAxes) {
+  return severalAxes ? 620 : 420;
+}
+
 function themed(figure) {
   const text = colour("text"), line = colour("line");
   const data = figure.data.map((trace) => {
@@ -26,7 +30,7 @@ function themed(figure) {
   });
   const layout = {
     ...figure.layout, title: undefined, autosize: true, font: { color: text, family: "inherit" },
-    paper_bgcolor: "transparent", plot_bgcolor: "transparent", height: figure.layout.yaxis2 ? 620 : 420,
+    paper_bgcolor: "transparent", plot_bgcolor: "transparent", height: liveHeight(figure.layout.yaxis2),
   };
   for (const key of Object.keys(layout).filter((name) => /^[xy]axis/.test(name))) {
     layout[key] = { ...layout[key], gridcolor: line, zerolinecolor: colour("line-strong"), linecolor: line };
@@ -58,8 +62,13 @@ const seen = new IntersectionObserver((entries) => {
   for (const entry of entries) if (entry.isIntersecting) enhance(entry.target);
 });
 
+// The place of the live chart is kept from the start: one that comes late must not push away what is being read.
 export function watchCharts(root = document) {
-  for (const element of root.querySelectorAll("[data-chart]")) seen.observe(element);
+  for (const element of root.querySelectorAll("[data-chart]")) {
+    const source = element.querySelector("[data-figure]"), still = element.querySelector(".chart-static");
+    if (source && still) still.style.minBlockSize = `${liveHeight(source.textContent.includes('"yaxis2"'))}px`;
+    seen.observe(element);
+  }
 }
 
 watchCharts();
