@@ -85,6 +85,28 @@ def net_segments(axes: Sequence[AxisPower]) -> list[PowerSegment]:
     ]  # fmt: skip
 
 
+def returned_segments(axes: Sequence[AxisPower]) -> list[PowerSegment]:
+    """What all axes return together, segment by segment, nothing of it taken by another axis; negative."""
+    return net_segments([_only_returned(axis) for axis in axes])
+
+
+def _only_returned(axis: AxisPower) -> AxisPower:
+    """The same axis without what it takes."""
+    time, start, end = [0.0], [], []
+    for k, segment in enumerate(axis.segments()):
+        part, begin, until = segment.returned(), float(axis.time[k]), float(axis.time[k + 1])
+        width = 0.0 if part is None else part.duration
+        low = (0.0, 0.0) if part is None else (-part.start, -part.end)
+        pieces = [(width, *low), (until - begin - width, 0.0, 0.0)]
+        for duration, first, last in pieces if segment.start < 0 else pieces[::-1]:
+            if duration > _SHORTEST:
+                time.append(time[-1] + duration)
+                start.append(first)
+                end.append(last)
+    return replace(axis, time=np.array(time), start=np.array(start), end=np.array(end), label=("",) * len(start),
+                   ramp=(False,) * len(start))  # fmt: skip
+
+
 def _net(axes: Sequence[AxisPower]) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Duration and power at both ends of every segment of the sum."""
     total = axes[0].cycle_time

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 import numpy as np
 
-from app.engine.dc_link import AxisPower, net_segments, returning_time, worst_phase
+from app.engine.dc_link import AxisPower, net_segments, returned_segments, returning_time, worst_phase
 from app.engine.drives.parts import BrakingResistorChoice
 from app.engine.formulas import electronics as formulas
 from app.engine.formulas import resistor as braking
@@ -14,7 +14,7 @@ from app.engine.formulas.duty import duty_share
 from app.engine.formulas.motion import sum_of_times
 from app.engine.products import BrakingResistor
 from app.engine.quantity import Declared, Option, Quantity
-from app.engine.resistor import Braking, PowerSegment, check_resistor
+from app.engine.resistor import Braking, PowerSegment, check_chopper, check_resistor
 from app.engine.sheet import Sheet
 
 _SUPPLY, _LOSSES, _SINK = "Supply module", "Losses", "Heat sink"
@@ -209,10 +209,12 @@ def _record_resistor(
         peak = sheet(braking.sum_of_powers, key="braking_peak", symbol="P_peak", P_k=tops,
                      label="Largest braking power of every axis at the same instant")  # fmt: skip
         _record_ramp_method(parts, sheet)
-        found = Braking(energy, overlap, duty, mean, peak)
+        found = Braking(energy, overlap, duty, mean, peak, tuple(returned_segments(powers)))
         if rules.exchange == "shared":
             found = _exchanged(powers, cycle, sheet) or found
-        if resistor is not None:
+        if resistor is None:
+            check_chopper(sheet, found.peak, rules.chopper_limit)
+        else:
             check_resistor(sheet, found, resistor, cycle_time=cycle, chopper_limit=rules.chopper_limit)
 
 
@@ -230,7 +232,8 @@ def _record_ramp_method(parts: Sequence[Sequence[PowerSegment]], sheet: Sheet) -
 
 def _exchanged(powers: Sequence[AxisPower], cycle: float, sheet: Sheet) -> Braking | None:
     """What is left for the resistor when one axis takes what another returns."""
-    left = [p for s in net_segments(powers) if (p := s.returned()) is not None]
+    net = tuple(net_segments(powers))
+    left = [p for s in net if (p := s.returned()) is not None]
     if not left:
         sheet.decide("No braking resistor is needed with these starts", "other axes take all that is returned")
         return None
@@ -239,7 +242,7 @@ def _exchanged(powers: Sequence[AxisPower], cycle: float, sheet: Sheet) -> Braki
                    label="Energy left for the resistor")  # fmt: skip
     time = sum(p.duration for p in left)
     mean = sheet(braking.mean_braking_power, key="net_braking_power", W_c=energy, t_on=time)
-    return Braking(energy, time, time / cycle, mean, max(max(p.start, p.end) for p in left))
+    return Braking(energy, time, time / cycle, mean, max(max(p.start, p.end) for p in left), net)
 
 
 def _record_heat(axes: Sequence[SupplyAxis], rules: SupplyRules, sheet: Sheet) -> None:

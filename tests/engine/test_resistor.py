@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.engine.dc_link import AxisPower, returned_segments
 from app.engine.products import BrakingResistor
 from app.engine.resistor import Braking, PowerSegment, check_resistor, record_braking
 from app.engine.sheet import Check, Sheet, Verdict
@@ -216,3 +217,136 @@ def test_more_braking_never_permits_more(on_time: float, longer: float):
     assert permitted[0] is not None
     assert permitted[1] is not None
     assert permitted[0] >= permitted[1]
+
+
+# --- strong braking beside weak braking -------------------------------------------------------------------------------
+
+KILOWATTS = ((0.06, 20_000.0), (0.12, 12_000.0), (0.25, 6000.0), (0.5, 4000.0), (1.0, 2000.0))
+
+
+def braked(*parts: tuple[float, float], cycle_time: float, label: str = "down") -> Braking:
+    """Braking of these (time, power), one after the other, then nothing."""
+    rest = cycle_time - sum(time for time, _ in parts)
+    cycle = [PowerSegment(label, time, -power, -power) for time, power in parts]
+    found = record_braking(Sheet(), [*cycle, PowerSegment("rest", rest, 0, 0)], cycle_time)
+    assert found is not None
+    return found
+
+
+@pytest.mark.parametrize(
+    ("parts", "cycle_time"),
+    [
+        ([(31, 5100)], 120),
+        ([(31, 5100), (88, 50)], 120),
+        ([(88, 50), (31, 5100)], 120),
+        ([(31, 5100), (90, 50)], 125),
+        ([(31, 5100), (90, 50)], 3600),
+        ([(10, 5100), (30, 50), (21, 5100), (60, 50)], 1000),
+    ],
+)
+def test_weak_braking_does_not_relieve_a_resistor(parts: list[tuple[float, float]], cycle_time: float):
+    """31 of 120 s are 25.8 %: 4 kW; the mean with 90 s of 50 W is 1.36 kW."""
+    _, checks = check(braked(*parts, cycle_time=cycle_time), resistor(KILOWATTS), cycle_time)
+    found = checks["resistor_mean_power"]
+    assert found.verdict == Verdict.FAILS
+    assert found.utilisation is not None
+    assert found.utilisation >= 5100 / 4000 - 1e-9
+
+
+def test_the_strongest_part_alone_is_written_out():
+    """20 s of 5 kW are 16.7 % of 120 s: 5000 of 6000 W; with 60 s of 100 W 1.325 kW of 2 kW."""
+    sheet, checks = check(braked((20, 5000), (60, 100), cycle_time=120), resistor(KILOWATTS), 120)
+    assert sheet.value("resistor_duty") == pytest.approx(20 / 120)
+    assert sheet.value("resistor_power") == pytest.approx(5000)
+    assert (checks["resistor_mean_power"].demanded, checks["resistor_mean_power"].permitted) == (
+        pytest.approx(5000), 6000)  # fmt: skip
+
+
+def test_braking_far_apart_is_not_added_up():
+    """Six times 20 s of 5 kW in an hour: never more than one in 120 s, 16.7 %; all together would be 100 %."""
+    apart: list[PowerSegment] = []
+    for _ in range(6):
+        apart += [PowerSegment("down", 20, -5000, -5000), PowerSegment("rest", 580, 0, 0)]
+    found = record_braking(Sheet(), apart, 3600)
+    assert found is not None
+    sheet, checks = check(found, resistor(KILOWATTS), 3600)
+    assert checks["resistor_mean_power"].permitted == 6000
+    assert checks["resistor_mean_power"].demanded == pytest.approx(5000)
+    assert sheet.value("resistor_duty") == pytest.approx(1 / 6)
+
+
+def test_parts_of_like_power_are_judged_between_the_listed_duties():
+    """15 s of 5 kW beside 15 s of 2 kW in 100 s: 3.5 of 4 kW at 30 %; the strong one alone at 15 % has
+    12 * (6 / 12)^(ln(15 / 12) / ln(25 / 12)) = 9.7 kW. With 10 kW the strong one decides: 10 of 9.7 kW."""
+    one = check(braked((15, 5000), (15, 2000), cycle_time=100), resistor(KILOWATTS), 100)[1]["resistor_mean_power"]
+    assert (one.demanded, one.permitted) == (pytest.approx(3500), 4000)
+    strong = resistor(((0.12, 12_000.0), (0.25, 6000.0), (0.5, 6000.0)))
+    one = check(braked((15, 10_000), (15, 1500), cycle_time=100), strong, 100)[1]["resistor_mean_power"]
+    rating = 12_000 * 0.5 ** (np.log(15 / 12) / np.log(25 / 12))
+    assert (one.demanded, one.permitted) == (pytest.approx(10_000), pytest.approx(rating))
+
+
+def test_a_window_reaches_over_the_end_of_the_cycle():
+    """16 s at the end and 16 s at the beginning of 300 s are 32 s at once: 26.7 %."""
+    cycle = [PowerSegment("down", 16, -5000, -5000), PowerSegment("rest", 268, 0, 0),
+             PowerSegment("down", 16, -5000, -5000)]  # fmt: skip
+    found = record_braking(Sheet(), cycle, 300)
+    assert found is not None
+    assert check(found, resistor(KILOWATTS), 300)[1]["resistor_mean_power"].permitted == 4000
+
+
+@pytest.mark.parametrize("pieces", [1, 7, 200])
+def test_the_sampling_of_a_ramp_does_not_matter(pieces: int):
+    """4 kW falling to nothing in 3 s of 10 s, a course below 6 s: 2 kW at 30 %, not the peak at its own duty."""
+    borders = np.linspace(-4000, 0, pieces + 1)
+    cut = [PowerSegment("down", 3 / pieces, float(a), float(b), ramp=True) for a, b in pairwise(borders)]
+    found = record_braking(Sheet(), [*cut, PowerSegment("rest", 7, 0, 0)], 10)
+    assert found is not None
+    one = check(found, resistor(KILOWATTS), 10)[1]["resistor_mean_power"]
+    assert (one.demanded, one.permitted) == (pytest.approx(2000), 4000)
+
+
+def test_a_part_that_fails_is_not_excused_by_a_duty_that_is_not_listed():
+    """The list ends at 50 %; 31 s of 5.1 kW fail whatever 88 s of 50 W are rated."""
+    one = check(braked((31, 5100), (88, 50), cycle_time=120), resistor(KILOWATTS[:4]), 120)[1]["resistor_mean_power"]
+    assert one.verdict == Verdict.FAILS
+    one = check(braked((31, 2100), (88, 50), cycle_time=120), resistor(KILOWATTS[:4]), 120)[1]["resistor_mean_power"]
+    assert (one.verdict, one.missing) == (Verdict.NOT_CHECKED, "rating at this duty")
+
+
+@given(
+    of=st.lists(st.tuples(st.floats(0.5, 10), st.floats(1000, 5000)), min_size=1, max_size=8),
+    weak=st.floats(1, 99), time=st.floats(0.5, 99),
+)  # fmt: skip
+def test_more_braking_never_relieves(of: list[tuple[float, float]], weak: float, time: float):
+    """Something below a tenth of all the rest, in place of a pause."""
+    length = sum(one for one, _ in of) + 100
+    used = [
+        check(braked(*of, *end, cycle_time=length), resistor(KILOWATTS), length)[1]["resistor_mean_power"].utilisation
+        for end in ([], [(time, weak)])
+    ]
+    assert used[0] is not None
+    assert used[1] is not None
+    assert used[1] >= used[0] * (1 - 1e-6)
+
+
+def test_very_many_pieces_do_not_take_long():
+    """20 000 pieces of 0.5 s, every third one of 1 kW; one place with 40 s of 3 kW in a row: 33 %."""
+    cycle = [PowerSegment("x", 0.5, 0 if k % 3 else -1000, 0 if k % 3 else -1000) for k in range(20_000)]
+    cycle[9000:9080] = [PowerSegment("x", 0.5, -3000, -3000)] * 80
+    found = record_braking(Sheet(), cycle, 10_000)
+    assert found is not None
+    one = check(found, resistor(KILOWATTS), 10_000)[1]["resistor_mean_power"]
+    assert one.utilisation is not None
+    assert one.utilisation >= 3000 / 4000 - 1e-9
+
+
+def test_what_several_axes_return_at_once_is_added_up():
+    """The first returns 100 W in 2 of 4 s, the second falls from 100 W to -100 W in 4 s: it returns in the last 2 s.
+    100 W for 2 s, then 0 to 100 W in 2 s: 200 J and 100 J, although the second one takes as much before."""
+    first = AxisPower("a", np.array([0.0, 2, 4]), np.array([-100.0, 0]), np.array([-100.0, 0]), ("", ""), (True, False))
+    second = AxisPower("b", np.array([0.0, 4]), np.array([100.0]), np.array([-100.0]), ("",), (True,))
+    found = returned_segments([first, second])
+    energies = [-(one.start + one.end) / 2 * one.duration for one in found]
+    assert [one.duration for one in found] == pytest.approx([2, 2])
+    assert energies == pytest.approx([200, 100])

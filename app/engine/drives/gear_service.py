@@ -26,6 +26,7 @@ CHECK_NAMES = {
     "break_away": "Gear unit: motor starts the load at the efficiency of the start",
     "backlash": "Backlash on the machine",
     "load_speed": "Speed that the chosen ratio gives",
+    "direct_speed": "Speed that the motor gives without a gear unit",
 }
 
 
@@ -133,7 +134,7 @@ def record_gear_service(case: GearCase, sheet: Sheet) -> None:
         torque = sheet(formulas.output_torque, key="gear_output_torque", M_N=case.rated_torque, i=gear.ratio)
         _check_input_speed(case, sheet)
         if case.highest_speed is None:
-            _check_output_speed(case, speed, sheet)
+            check_load_speed(case.load, case.service, speed, sheet)
         _check_service_factor(case, torque, sheet)
         _check_overhung(case, torque, sheet)
         if case.efficiency <= 0.5 or is_worm(gear):
@@ -160,14 +161,16 @@ def is_worm(gear: GearUnit) -> bool:
     return "worm" in (gear.kind or "")
 
 
-def _check_output_speed(case: GearCase, speed: float, sheet: Sheet) -> None:
-    """Compare the speed that the ratio gives with the one that the motion demands."""
-    demanded = max((state.speed for state in case.load.states), default=0.0)
+def check_load_speed(
+    load: Load, service: GearService, speed: float, sheet: Sheet, *, direct: bool = False
+) -> None:  # fmt: skip
+    """Compare the speed at the output [rad/s] with the one that the motion demands; ``direct``: without gear unit."""
+    demanded = max((state.speed for state in load.states), default=0.0)
     if demanded == 0:
         return
     found = sheet(formulas.speed_deviation, key="gear_speed_deviation", n_a=speed, omega=demanded)
-    sheet.check("load_speed", CHECK_NAMES["load_speed"], abs(found), case.service.speed_tolerance, "%", "own demand",
-                formula="speed_deviation")  # fmt: skip
+    sheet.check("load_speed", CHECK_NAMES["direct_speed" if direct else "load_speed"], abs(found),
+                service.speed_tolerance, "%", "own demand", formula="speed_deviation")  # fmt: skip
 
 
 def _check_break_away(case: GearCase, sheet: Sheet) -> None:

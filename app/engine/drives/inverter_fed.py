@@ -15,6 +15,7 @@ from app.engine.drives.inverter_limits import (
     check_frequency,
     check_torque,
     record_powers,
+    refuse_knee,
 )
 from app.engine.drives.line_fed import LineFed, motor_data
 from app.engine.drives.mains import record_brake_duty
@@ -30,8 +31,9 @@ from app.engine.drives.parts import (
 from app.engine.drives.shaft import MotorShaft, power_segments, record_inertias, record_speeds, record_torques
 from app.engine.formulas.conversion import speed_before_ratio
 from app.engine.gear import Transmission
+from app.engine.motion.profile import MotionProfile
 from app.engine.quantity import Option, Quantity
-from app.engine.resistor import check_resistor, record_braking
+from app.engine.resistor import check_chopper, check_resistor, record_braking
 from app.engine.sheet import Check, Sheet
 
 HEADLINES = ("motor_speed_max", "peak_torque", "effective_torque", "torque_ratio", "highest_frequency",
@@ -100,6 +102,7 @@ class InverterFedDrive(MotorRules, DriveModel):
         for side in sides:
             with sheet.section(f"Load on the motor shaft: {side.state.label}"):
                 side.record(sheet)
+                side.record_curve(sheet)
                 line.record_static(side, data, sheet)
         shaft = MotorShaft(given.load, _transmission(self, line), line.motor_inertia or 0.0)
         with sheet.section("Speed of the motor"):
@@ -110,7 +113,11 @@ class InverterFedDrive(MotorRules, DriveModel):
             record_torques(shaft, sheet)
         with sheet.section("Power on the motor shaft"):
             record_powers(shaft, given.load.cycle, sheet)
-        case = InverterCase(rules=self, line=line, shaft=shaft, data=data, inverter=given.product("inverter"))
+        case = InverterCase(
+            rules=self, line=line, shaft=shaft, data=data, inverter=given.product("inverter"),
+            steady_phases=_steady_phases(given.profile),
+        )  # fmt: skip
+        refuse_knee(case)
         if line.motor is not None and case.torque_missing:
             sheet.assume("drive.motor.rotor_inertia", "the rotor inertia is not known and left out of what is shown",
                          value=0.0, unit="kg m2", symbol="J_M", source=line.motor.source)  # fmt: skip
@@ -130,12 +137,16 @@ class InverterFedDrive(MotorRules, DriveModel):
             braking = record_braking(sheet, power_segments(shaft, cycle), cycle.cycle_time)
             if braking is None:
                 return
+            lacking = case.torque_missing
             if resistor is None:
                 sheet.decide("No braking resistor is checked", "none is chosen")
+            if resistor is None or lacking:
+                check_chopper(sheet, None if lacking else braking.peak, self.chopper_limit, lacking)
+            if resistor is None:
                 return
-            if case.torque_missing:
+            if lacking:
                 sheet.check("resistor_mean_power", "Braking resistor: mean power while braking", None, None, "kW",
-                            "braking resistor: data sheet", missing=case.torque_missing)  # fmt: skip
+                            "braking resistor: data sheet", missing=lacking)  # fmt: skip
                 return
             check_resistor(sheet, braking, resistor, cycle_time=cycle.cycle_time, chopper_limit=self.chopper_limit)
 
@@ -147,6 +158,9 @@ class InverterFedDrive(MotorRules, DriveModel):
             sheet.check("brake_stops", CHECK_NAMES["brake_stops"], None, None, "N m", "brake: data sheet",
                         missing=ROTOR_MISSING)  # fmt: skip
             return
+        if line.motor is None:
+            sheet.assume("drive.motor.rotor_inertia", "no motor is chosen: its rotor is left out of every stop",
+                         value=0.0, unit="kg m2", symbol="J_M", source="none: no motor is chosen")  # fmt: skip
         creep = _creep_speed(shaft, cycle)
         if creep:
             with sheet.section("Creep speed"):
@@ -168,6 +182,15 @@ class InverterFedDrive(MotorRules, DriveModel):
             with sheet.section(f"Mains failure: {side.state.label}"):
                 failures.append(record_stop(sheet, side, line.brake, full, gravity=line.gravity, name="_emergency"))
         record_brake_duty(line, stops, failures, line.sides(), sheet)
+
+
+def _steady_phases(motion: MotionProfile) -> frozenset[str]:
+    """Names of the phases that the motion runs through at constant speed."""
+    change = np.abs(motion.speed_end - motion.speed_start)
+    steady = (change <= 1e-6 * motion.max_speed) & (motion.mean_speed != 0)
+    return frozenset(motion.label[k] for k in np.flatnonzero(steady)) - frozenset(
+        motion.label[k] for k in np.flatnonzero(~steady)
+    )
 
 
 def _transmission(rules: InverterFedDrive, line: LineFed) -> Transmission:

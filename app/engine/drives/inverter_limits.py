@@ -11,6 +11,7 @@ from app.engine.cycle import FloatArray, LoadCycle
 from app.engine.drives.base import Points
 from app.engine.drives.line_fed import LineFed, MotorData
 from app.engine.drives.shaft import MotorShaft
+from app.engine.errors import EngineError
 from app.engine.formulas import inverter_fed as formulas
 from app.engine.formulas.servo import motor_current, shaft_power, signed_power, torque_constant
 from app.engine.products import Inverter
@@ -31,6 +32,9 @@ HOIST_SOURCE = "SEW 2001, 9.2: hoists reach their speed at 70 Hz"
 OVERLOAD = 1.5
 SELF_COOLED_RANGE = 5.0
 COOLING_SOURCE = "SEW 2001, 3.4: own fan up to 1:5 at the next smaller rating, forced fan from there on"
+FULL_TORQUE_RANGE = 2.0
+"""Rated over steady speed up to which a motor that runs at one speed gives rated torque with its own fan: common
+practice, derating charts of makers begin near half of the rated frequency."""
 MAX_POWERS = 24
 
 
@@ -92,6 +96,18 @@ class InverterCase:
     shaft: MotorShaft
     data: MotorData | None
     inverter: Inverter | None
+    steady_phases: frozenset[str] = frozenset()
+    """Names of the phases in which the load moves at constant speed, whatever the shaft does (winders, cranks)."""
+
+    @property
+    def sustained_speeds(self) -> FloatArray:
+        """Unsigned speeds that the motor keeps: segments of constant speed and those of steady phases [rad/s]."""
+        cycle = self.shaft.load.cycle
+        change = np.abs(cycle.speed_end - cycle.speed_start)
+        named = np.array([label in self.steady_phases for label in cycle.label])
+        kept = (named | (change <= 1e-6 * cycle.max_speed)) & (cycle.mean_speed != 0)
+        found: FloatArray = np.abs(cycle.mean_speed[kept]) * self.shaft.transmission.ratio
+        return found
 
     @property
     def knee(self) -> float:
@@ -125,6 +141,14 @@ class InverterCase:
         if self.line.motor is None or self.line.motor_inertia is not None:
             return ""
         return ROTOR_MISSING if self.shaft.hull.max_acceleration > 0 else ""
+
+
+def refuse_knee(case: InverterCase) -> None:
+    """Refuse a knee frequency at which the rated slip leaves no speed."""
+    if case.data is not None and case.knee_speed <= 0:
+        data = case.data
+        slip = data.winding.frequency * (1 - data.rated_speed / data.synchronous_speed)
+        raise EngineError(f"must be above the slip frequency of the motor, {slip:.4g} Hz", field="knee_frequency_hz")
 
 
 def record_powers(shaft: MotorShaft, cycle: LoadCycle, sheet: Sheet) -> None:
@@ -193,20 +217,40 @@ def _worst_torque(case: InverterCase, limits: InverterLimits) -> tuple[float, fl
 
 
 def _check_cooling(case: InverterCase, sheet: Sheet) -> None:
-    """What a motor with own fan may give over its speed range."""
-    cycle = case.shaft.load.cycle
-    steady = np.abs(cycle.mean_speed[(np.abs(cycle.acceleration) < 1e-9) & (cycle.mean_speed != 0)])
-    if steady.size == 0 or steady.max() <= 1.0001 * steady.min():
+    """What a motor with own fan may give at the lowest speed that it keeps, against its rated speed and its highest."""
+    assert case.data is not None
+    steady = case.sustained_speeds
+    if steady.size == 0:
         return
-    ratio = case.shaft.transmission.ratio
-    R = sheet(formulas.speed_range, n_2=float(steady.max()) * ratio, n_1=float(steady.min()) * ratio)
+    low, high, rated = float(steady.min()), float(steady.max()), case.data.rated_speed
+    several = high > 1.0001 * low
+    R = sheet(formulas.speed_range, n_2=high, n_1=low) if several else 1.0
+    if low < rated and high < rated * (1 - 1e-9):
+        label = "Rated speed, at which the own fan is sufficient, over the lowest steady speed"
+        R = sheet(formulas.speed_range, key="cooling_range", label=label, n_2=rated, n_1=low)
+    if R <= 1.0001:
+        return
     if case.rules.cooling == "forced":
         sheet.decide("The motor may give its rating over the whole speed range", "it has a forced fan")
         return
     sheet.check("speed_range", "Speed range with own fan", R, SELF_COOLED_RANGE, "1", COOLING_SOURCE,
                 formula="speed_range")  # fmt: skip
+    if several or R > FULL_TORQUE_RANGE:
+        _check_reduced_power(case, high, sheet)
+
+
+def _check_reduced_power(case: InverterCase, high: float, sheet: Sheet) -> None:
+    """Compare the effective torque with that of the next smaller motor; ``high`` is the highest steady speed [rad/s].
+
+    Below rated speed a rating stands for its torque, so that the powers are compared at rated speed.
+    """
+    assert case.data is not None
+    torque, rated = case.shaft.effective_torque, case.data.rated_speed
     power = sheet(shaft_power, key="effective_power", label="Effective torque at the highest steady speed", unit="kW",
-                  M=case.shaft.effective_torque, omega=float(steady.max()) * ratio)  # fmt: skip
+                  M=torque, omega=high)  # fmt: skip
+    if high < rated * (1 - 1e-9):
+        power = sheet(shaft_power, key="effective_power_at_rated_speed", label="Effective torque at rated speed",
+                      unit="kW", M=torque, omega=rated)  # fmt: skip
     limit = case.rules.reduced_power
     lacking = [case.torque_missing, "" if limit is not None else "rating of the next smaller motor"]
     demanded = None if case.torque_missing else power

@@ -4,11 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from app.engine.drives.base import Given
-from app.engine.drives.gear_service import GearCase, record_gear_service
+from app.engine.drives.gear_service import GearCase, check_load_speed, record_gear_service
 from app.engine.drives.mains_motion import Brake
 from app.engine.drives.mains_rules import CHECK_NAMES, BrakingRules, MotorRules
 from app.engine.drives.mains_shaft import Gravity, MotorSide
+from app.engine.drives.parts import not_below
 from app.engine.environment import RATED_ALTITUDE, RATED_AMBIENT, Environment
+from app.engine.errors import EngineError
 from app.engine.formulas import induction as run
 from app.engine.formulas.braking import brake_torque_ratio
 from app.engine.formulas.conversion import sum_of_torques, torque_before_ratio, travel_before_ratio
@@ -136,15 +138,49 @@ class LineFed:
                   P_N=data.winding.rated_power)  # fmt: skip
         return power
 
-    def check_power(self, data: MotorData | None, sheet: Sheet) -> None:
-        """Check the largest power in steady running against the rating, derated by the surroundings."""
+    def record_running(self, side: MotorSide, data: MotorData, speed: float, sheet: Sheet, name: str = "") -> MotorSide:
+        """Write torque and power at the speed at which the motor itself runs [rad/s], whatever the motion asks for.
+
+        A torque curve ends there: the load at that speed is returned. ``name`` goes into the keys.
+        """
+        own, key = side.at_speed(speed), f"{side.state.key}{name}"
+        losses = own.factor(driving=not own.driven_by_load)
+        label = "Torque of the load with losses, at the speed of the motor"
+        if own.driven_by_load:
+            torque = sheet(returning_stage_torque, key=f"{key}_running_torque", symbol="M_R", label=label,
+                           T=own.load_torque, eta_r=losses)  # fmt: skip
+        else:
+            torque = sheet(driving_stage_torque, key=f"{key}_running_torque", symbol="M_R", label=label,
+                           T=own.load_torque, eta=own.efficiency)  # fmt: skip
+        power = sheet(shaft_power, key=f"{key}_running_power", symbol="P_R", unit="W", M=abs(torque), omega=speed,
+                      label="Power in steady running at the speed of the motor")  # fmt: skip
+        label = "Power at the speed of the motor over rated power, losses included"
+        sheet(run.relative_static_power, key=f"{key}_relative_running_power", symbol="P_R/P_N", label=label, P_S=power,
+              P_N=data.winding.rated_power)  # fmt: skip
+        return own
+
+    def check_power(self, data: MotorData | None, sheet: Sheet, *, low: MotorData | None = None) -> None:
+        """Check the largest power in steady running against the rating, derated by the surroundings.
+
+        ``low`` is the low-speed winding of a motor with two. The power is that at the motor's own speed.
+        """
         if data is None or not self.load.states:
             return
-        powers = [sheet.value(f"{state.key}_static_power") for state in self.load.states]
         with sheet.section("Rating of the motor"):
-            permitted, missing = self._rating(data, sheet)
-            sheet.check("static_power", CHECK_NAMES["static_power"], max(powers), permitted, "kW",
-                        "motor: data sheet, rated power", formula="shaft_power", missing=missing)  # fmt: skip
+            factors, missing = self._rating_factors(sheet)
+            for name, winding in (("", data), ("_low", low)):
+                if winding is None:
+                    continue
+                demanded = max(sheet.value(f"{state.key}{name}_running_power") for state in self.load.states)
+                permitted: float | None = winding.winding.rated_power
+                if factors is None:
+                    permitted = None
+                elif factors != (1.0, 1.0, 1.0):
+                    f_T, f_H, K = factors
+                    permitted = sheet(run.permitted_power, key=f"permitted_power{name}", P_N=permitted, f_T=f_T,
+                                      f_H=f_H, K=K)  # fmt: skip
+                sheet.check(f"static_power{name}", CHECK_NAMES[f"static_power{name}"], demanded, permitted, "kW",
+                            "motor: data sheet, rated power", formula="shaft_power", missing=missing)  # fmt: skip
 
     def _power_increase(self, sheet: Sheet) -> float | None:
         """K of the duty type: the user's own, else read from the table; None where that does not reach so far."""
@@ -157,8 +193,8 @@ class LineFed:
                 return sheet.look_up("power_increase_s3", text, symbol="K", x=max(self.duty * 100, 15.0), given=given)
         return given or 1.0
 
-    def _rating(self, data: MotorData, sheet: Sheet) -> tuple[float | None, str]:
-        """Rated power in these surroundings [W], None with what lacks."""
+    def _rating_factors(self, sheet: Sheet) -> tuple[tuple[float, float, float] | None, str]:
+        """Factors of temperature, altitude and duty type on the rated power, None with what lacks."""
         hot = self.environment.ambient_temperature > RATED_AMBIENT
         high = self.environment.altitude > RATED_ALTITUDE
         f_T: float | None = 1.0
@@ -175,9 +211,7 @@ class LineFed:
         K = self._power_increase(sheet)
         if K is None:
             return None, "power increase factor for this operating time"
-        if f_T == f_H == K == 1.0:
-            return data.winding.rated_power, ""
-        return sheet(run.permitted_power, P_N=data.winding.rated_power, f_T=f_T, f_H=f_H, K=K), ""
+        return (f_T, f_H, K), ""
 
     @property
     def duty(self) -> float:
@@ -194,6 +228,9 @@ class LineFed:
         ``highest_speed`` of the motor in operation [rad/s] where an inverter sets it.
         """
         if self.gear is None:
+            if highest_speed is None:
+                with sheet.section("Speed of the load"):
+                    check_load_speed(self.load, self.rules, data.rated_speed, sheet, direct=True)
             return
         flywheel = self.rules.flywheel_inertia
         case = GearCase(
@@ -243,6 +280,9 @@ def motor_data(
         return None
     with sheet.section(f"Motor{name.replace('_', ' ')}"):
         sync = sheet(run.synchronous_speed, key=f"synchronous_speed{name}", f_1=winding.frequency, z_p=winding.poles)
+        if winding.rated_speed >= sync:
+            text = not_below(sync, winding.frequency, winding.poles)
+            raise EngineError(f"the rated speed of its winding {text}", field="motor")
         M_N = record_rated_torque(winding, winding.rated_speed, sheet, name)
         M_H = winding.run_up_torque
         if M_H is None and winding.run_up_torque_ratio is not None:

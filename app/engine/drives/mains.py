@@ -46,11 +46,7 @@ class MainsDrive(LineFedRules, DriveModel):
         winding = None if line.motor is None else line.motor.windings[-1]
         star = self.starting == "star_delta"
         data = motor_data(line, winding, sheet, star=star) if winding is not None else None
-        sides = line.sides()
-        for side in sides:
-            with sheet.section(f"Load on the motor shaft: {side.state.label}"):
-                side.record(sheet)
-                line.record_static(side, data, sheet)
+        sides = [_record_load(line, data, side, sheet) for side in line.sides()]
         line.check_power(data, sheet)
         if data is not None:
             line.record_gear_unit(data, sides, sheet)
@@ -65,6 +61,17 @@ class MainsDrive(LineFedRules, DriveModel):
         return DriveResult(ratio=line.ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES, diagrams=diagrams)
 
 
+def _record_load(line: LineFed, data: MotorData | None, side: MotorSide, sheet: Sheet) -> MotorSide:
+    """Write one state of the load on the motor shaft; returns it at the speed at which the motor runs."""
+    with sheet.section(f"Load on the motor shaft: {side.state.label}"):
+        side.record(sheet)
+        line.record_static(side, data, sheet)
+        if data is not None:
+            side = line.record_running(side, data, running_speed(data, side), sheet)
+        side.record_curve(sheet)
+    return side
+
+
 def running_speed(data: MotorData, side: MotorSide) -> float:
     """Speed of the motor in steady running: rated speed, synchronous speed where the load drives it [rad/s]."""
     return data.synchronous_speed if side.driven_by_load else data.rated_speed
@@ -76,7 +83,7 @@ def _record_starts(line: LineFed, data: MotorData, M_H: float, sides: Sequence[M
     for side in sides:
         with sheet.section(f"Run-up: {side.state.label}"):
             speed = running_speed(data, side)
-            found = record_start(sheet, side, M_H, speed)
+            found = record_start(sheet, side, M_H, speed, delta=data.full_run_up if data.star else None)
             if found is not None:
                 started.add(side.state.key)
                 check_slip(sheet, side, found.acceleration, "slip_starting")

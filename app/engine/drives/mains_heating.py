@@ -1,6 +1,7 @@
 """How often a line-fed motor may start: heating by the starts of every state of load, added up over the cycle."""
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 from app.engine.drives.line_fed import LineFed, MotorData
 from app.engine.drives.mains_rules import CHECK_NAMES, LineFedRules
@@ -24,7 +25,7 @@ def starting_factor(line: LineFed, side: MotorSide, sheet: Sheet) -> float | Non
                 f"is no state of this load; there are {names}", field=("starting_factors", index, "state")
             )
     given = next((row.factor for row in rows if row.state == side.state.key), None)
-    share = sheet.value(f"{side.state.key}_relative_static_power")
+    share = sheet.value(f"{side.state.key}_relative_running_power")
     text = f"factor of static power and duty on the starting frequency: {side.state.label}"
     return sheet.look_up("starting_frequency_k_p", text, symbol="K_P", x=share, family=line.duty, given=given)
 
@@ -35,6 +36,9 @@ def record_state(line: LineFed, data: MotorData, M_H: float, side: MotorSide, sh
     if Z_0 is None or K_P is None or line.motor_inertia is None:
         return None
     key, burden = side.state.key, side.changing.burden(M_H)
+    known = f"{key}_equivalent_load_torque"
+    if side.state.curve and sheet.has(known):
+        burden = replace(burden, torque=sheet.value(known))
     K_J = sheet(run.inertia_factor, key=f"{key}_inertia_factor", J_M=line.motor_inertia, J_tot=burden.inertia)
     K_M = sheet(run.load_torque_factor, key=f"{key}_load_torque_factor", M_L=burden.torque, M_H=M_H)
     if burden.torque < 0:

@@ -2,14 +2,21 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from app.engine.drives.mains_rules import CHECK_NAMES
 from app.engine.drives.mains_shaft import Gravity, MotorSide
 from app.engine.formulas import braking as stop
 from app.engine.formulas import induction as run
 from app.engine.formulas.conversion import linear_speed
-from app.engine.formulas.motion import ramp_acceleration, ramp_distance
+from app.engine.formulas.motion import ramp_acceleration, ramp_distance, sum_of_times
 from app.engine.sheet import Sheet
 
+STAR_SHARE = 0.9
+"""Share of full speed that must be reached in star."""
+STAR_SOURCE = "common practice: 90 % of rated speed before changing over to delta"
+CHANGE_SHARE = 0.98
+"""Share of the speed reached in star at which it is left, where the load takes all of its torque."""
 SLIP_SOURCE = "mechanism: acceleration at which wheels slip or goods topple"
 
 
@@ -46,27 +53,46 @@ class Brake:
 
 
 def record_start(
-    sheet: Sheet, side: MotorSide, M_H: float, omega: float, name: str = "", winding: str = ""
+    sheet: Sheet,
+    side: MotorSide,
+    M_H: float,
+    omega: float,
+    name: str = "",
+    winding: str = "",
+    *,
+    delta: float | None = None,
 ) -> Start | None:
     """Write a run-up against the load to speed ``omega``.
 
-    ``name`` goes into the keys and ``winding`` into the name of the check where a state starts twice.
+    ``name`` goes into the keys and ``winding`` into the name of the check where a state starts twice. ``delta`` is the
+    mean run-up torque in delta where ``M_H`` is that in star; None without changing over.
     """
     whole, side = side.without_process, side.changing
-    key, label = f"{side.state.key}{name}", side.state.label
+    key, label = f"{side.state.key}{name}", f"{side.state.label}{winding}"
     burden = side.record_burden(sheet, M_H, f"starting{name}", "Starting")
-    demanded = burden.torque
+    demanded, given = burden.torque, M_H
     if whole.state.curve:
         # a torque that grows with the speed holds the motor back at its highest point, whatever its mean
         demanded = max(demanded, whole.largest_torque * whole.factor(driving=True))
-    title = f"{CHECK_NAMES['run_up_torque']}: {label}{winding}"
-    sheet.check(f"run_up_torque_{key}", title, max(demanded, 0.0), M_H, "N m", "motor: mean run-up torque",
-                formula="run_up_torque")  # fmt: skip
-    if demanded >= M_H:
+        given = delta or M_H
+    sheet.check(f"run_up_torque_{key}", f"{CHECK_NAMES['run_up_torque']}: {label}", max(demanded, 0.0), given, "N m",
+                "motor: mean run-up torque", formula="run_up_torque")  # fmt: skip
+    if whole.state.curve:
+        curved = _Curved(sheet, whole, key, burden.inertia, whole.factor(driving=side.drives(M_H)))
+        if delta is not None:
+            time = curved.record_star(M_H, delta, omega, label, starts=demanded < delta)
+        else:
+            time = curved.record_time(M_H, 0.0, omega, "run_up_time") if demanded < M_H else None
+        if time is None:
+            return None
+        sheet(run.equivalent_load_torque, key=f"{key}_equivalent_load_torque", M_H=M_H, J_tot=burden.inertia,
+              omega=omega, t_A=time)  # fmt: skip
+    elif demanded >= M_H:
         return None
-    time = sheet(
-        run.run_up_time, key=f"{key}_run_up_time", J_tot=burden.inertia, omega=omega, M_H=M_H, M_L=burden.torque
-    )
+    else:
+        time = sheet(
+            run.run_up_time, key=f"{key}_run_up_time", J_tot=burden.inertia, omega=omega, M_H=M_H, M_L=burden.torque
+        )
     v = sheet(linear_speed, key=f"{key}_speed_reached", symbol="v", label="Speed of the load after the run-up",
               omega=omega, A=side.travel)  # fmt: skip
     turning = side.state.travel is None
@@ -75,6 +101,57 @@ def record_start(
     sheet(ramp_distance, key=f"{key}_run_up_distance", symbol="s_A", label="Path of the run-up",
           unit="rad" if turning else "mm", v=v, t_A=time)  # fmt: skip
     return Start(time, a)
+
+
+@dataclass(frozen=True)
+class _Curved:
+    """A run-up against a torque that depends on the speed."""
+
+    sheet: Sheet
+    side: MotorSide
+    key: str
+    inertia: float
+    """All inertia on the motor shaft [kg m2]"""
+    losses: float
+    """What losses make of the torque of the load."""
+
+    def record_time(self, M_H: float, slow: float, fast: float, name: str, label: str = "") -> float:
+        """Write the time between two speeds [s]."""
+        M_L, n_a, n_b = self.side.steps(slow, fast, self.losses)
+        return self.sheet(run.run_up_time_over_speed, key=f"{self.key}_{name}", label=label, J_tot=self.inertia,
+                          M_H=M_H, M_L=M_L, n_a=n_a, n_b=n_b)  # fmt: skip
+
+    def record_star(self, star: float, delta: float, omega: float, label: str, *, starts: bool) -> float | None:
+        """Write and check how fast the motor becomes in star, then the run-up with the rest of it in delta.
+
+        Returns its time [s]; None where star moves nothing, or delta does not suffice.
+        """
+        reached = self._record_speed_in_star(star, omega)
+        self.sheet.check(f"star_speed_{self.key}", f"{CHECK_NAMES['star_speed']}: {label}", STAR_SHARE * omega, reached,
+                         "rpm", STAR_SOURCE, formula="speed_at_torque")  # fmt: skip
+        if reached <= 0 or not starts:
+            return None
+        if reached == omega:
+            return self.record_time(star, 0.0, omega, "run_up_time")
+        change = CHANGE_SHARE * reached
+        self.sheet.decide("The rest of the run-up is in delta", f"it changes over at {CHANGE_SHARE:.0%} of the speed "
+                          "reached in star, which it approaches ever more slowly")  # fmt: skip
+        times = [self.record_time(star, 0.0, change, "star_time", "Time in star"),
+                 self.record_time(delta, change, omega, "delta_time", "Time in delta up to full speed")]  # fmt: skip
+        return self.sheet(sum_of_times, key=f"{self.key}_run_up_time", symbol="t_A", label="Run-up time", t_k=times)
+
+    def _record_speed_in_star(self, star: float, omega: float) -> float:
+        """Speed at which the load takes all of the torque in star; full speed where it never does [rad/s]."""
+        M_a, M_b, n_a, n_b = self.side.curve_steps
+        M_a, M_b = M_a * self.losses, M_b * self.losses
+        if M_a[0] >= star:
+            return 0.0
+        over = np.flatnonzero(M_b >= star)
+        if not over.size:
+            return omega
+        k = int(over[0])
+        return self.sheet(run.speed_at_torque, key=f"{self.key}_speed_in_star", label="Speed reached in star", M_H=star,
+                          M_a=float(M_a[k]), M_b=float(M_b[k]), n_a=float(n_a[k]), n_b=float(n_b[k]))  # fmt: skip
 
 
 def check_slip(sheet: Sheet, side: MotorSide, rate: float, phase: str, name: str = "", winding: str = "") -> None:
@@ -90,13 +167,17 @@ def check_slip(sheet: Sheet, side: MotorSide, rate: float, phase: str, name: str
 
 
 def record_least_flywheel(sheet: Sheet, side: MotorSide, M_H: float, omega: float) -> None:
-    """Write the least additional inertia with which the run-up keeps the permissible acceleration."""
+    """Write the least additional inertia with which the run-up keeps the permissible acceleration.
+
+    Where none is permitted (wheels without weight on them) no inertia is large enough.
+    """
     limit = side.state.permissible_acceleration
-    if limit is None:
+    if not limit:
         return
     bare = side.changing.with_added(0.0)
-    burden = bare.burden(M_H)
-    sheet(run.least_flywheel, key=f"{side.state.key}_least_flywheel", M_H=M_H, M_L=burden.torque, omega=omega,
+    burden, known = bare.burden(M_H), f"{side.state.key}_equivalent_load_torque"
+    torque = sheet.value(known) if sheet.has(known) else burden.torque
+    sheet(run.least_flywheel, key=f"{side.state.key}_least_flywheel", M_H=M_H, M_L=torque, omega=omega,
           v=omega * side.travel, a_p=limit, J_tot=burden.inertia)  # fmt: skip
 
 

@@ -91,10 +91,12 @@ class LineFedRules(MotorRules):
 
 CHECK_NAMES = {
     "run_up_torque": "Run-up torque",
+    "star_speed": "Speed reached in star",
     "slip_starting": "Permissible acceleration while starting",
     "slip_braking": "Permissible deceleration while braking",
     "slip_changing": "Permissible deceleration while changing the poles",
     "static_power": "Power in steady running",
+    "static_power_low": "Power in steady running on the low-speed winding",
     "starting_frequency": "Cycles per hour by the heating of the motor",
     "brake_holding": "Brake: holding the load",
     "brake_stops": "Brake: stopping the load",

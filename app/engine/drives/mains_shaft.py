@@ -19,10 +19,13 @@ from app.engine.formulas.efficiency import (
     returning_stage_inertia,
     returning_stage_torque,
 )
-from app.engine.formulas.induction import mean_torque_over_speed
+from app.engine.formulas.induction import mean_torque_over_speed, torque_at_speed
 from app.engine.formulas.inertia import referred_inertia, sum_of_inertias
 from app.engine.mechanisms.load import LoadState, Statics
 from app.engine.sheet import Sheet
+
+RUN_UP_STEPS = 128
+"""Steps of the speed in a run-up against a curve."""
 
 
 @dataclass(frozen=True)
@@ -164,6 +167,37 @@ class MotorSide:
         points = tuple(zip(speeds.tolist(), torques.tolist(), strict=True))
         return replace(self, state=replace(self.state, torque=float(torques[-1]), curve=points))
 
+    def at_speed(self, omega: float) -> "MotorSide":
+        """The same with its torque curve up to another speed of the motor [rad/s]: see ``torque_at_speed``.
+
+        Between two points of the curve, or beyond the last two, a parabola without a linear part goes through both.
+        """
+        if not self.state.curve:
+            return self
+        reached = omega / self.ratio
+        speed, torque = np.array(self.state.curve, dtype=float).T
+        k = int(np.clip(np.searchsorted(speed, reached), 1, len(speed) - 1))
+        last = float(torque_at_speed(torque[k - 1], torque[k], speed[k - 1], speed[k], reached))
+        points = [point for point in self.state.curve if point[0] < reached * (1 - 1e-9)]
+        if reached > speed[-1]:  # more points, as close as those of the curve
+            number = int(np.ceil((reached - speed[-1]) / (speed[-1] - speed[-2])))
+            more = np.linspace(speed[-1], reached, number + 1)[1:-1]
+            beyond = torque_at_speed(torque[-2], torque[-1], speed[-2], speed[-1], more)
+            points += list(zip(more.tolist(), np.asarray(beyond).tolist(), strict=True))
+        curve = (*points, (reached, last))
+        return replace(self, state=replace(self.state, torque=last, curve=curve))
+
+    def steps(self, slow: float, fast: float, losses: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Torque of the curve with losses in the middle of small steps between two motor speeds [rad/s]: M_L, n_a, n_b.
+
+        ``losses``: what they make of a torque, see ``factor``.
+        """
+        speed, torque = np.array(self.state.curve, dtype=float).T
+        borders = np.linspace(slow, fast, RUN_UP_STEPS + 1)
+        middle = (borders[:-1] + borders[1:]) / 2
+        load = np.interp(middle / self.ratio, speed, torque)
+        return np.asarray(torque_before_ratio(load, self.ratio)) * losses, borders[:-1], borders[1:]
+
     def falling_back(self, gravity: "Gravity") -> "MotorSide":
         """The same load on its way back, after it has come to rest."""
         return replace(self, state=gravity.opposite(self.state))
@@ -193,14 +227,18 @@ class MotorSide:
         label = "Torque of the load on the motor shaft, no losses"
         sheet(torque_before_ratio, key=f"{key}_load_torque", symbol="M_L", label=label, M=self.state.torque,
               i=self.ratio)  # fmt: skip
+        label = "External inertia on the motor shaft, no losses"
+        sheet(referred_inertia, key=f"{key}_external_inertia", symbol="J_X", label=label, J=self.state.inertia,
+              i=self.ratio)  # fmt: skip
+
+    def record_curve(self, sheet: Sheet) -> None:
+        """Write the mean of a torque that depends on the speed."""
+        key = self.state.key
         if self.state.curve:
             label = "Mean torque of the load from standstill to full speed, on the motor shaft, no losses"
             M_a, M_b, n_a, n_b = self.without_process.curve_steps
             sheet(mean_torque_over_speed, key=f"{key}_mean_run_up_load_torque", symbol="M_Lm", label=label, M_a=M_a,
                   M_b=M_b, n_a=n_a, n_b=n_b)  # fmt: skip
-        label = "External inertia on the motor shaft, no losses"
-        sheet(referred_inertia, key=f"{key}_external_inertia", symbol="J_X", label=label, J=self.state.inertia,
-              i=self.ratio)  # fmt: skip
 
     def record_burden(self, sheet: Sheet, torque: float, phase: str, doing: str) -> Burden:
         """Write what acts on the motor shaft while ``torque`` acts there; keys ``<state>_<phase>_...``."""

@@ -7,6 +7,8 @@ from pydantic import Field, StringConstraints, model_validator
 from pydantic_core import PydanticCustomError
 
 from app.engine.drives.own import OwnGearUnit, OwnProduct, OwnServoMotor
+from app.engine.formulas.induction import synchronous_speed
+from app.engine.mechanisms.guided_axis import refused
 from app.engine.products import (
     BrakingResistor,
     GearUnit,
@@ -19,7 +21,7 @@ from app.engine.products import (
     ServoMotor,
     Winding,
 )
-from app.engine.quantity import Declared, Option, Quantity
+from app.engine.quantity import Declared, Option, Quantity, from_si
 
 ProductId = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 _SOURCE = "own input"
@@ -81,6 +83,12 @@ _WINDING, _MOTOR, _BRAKE, _GEAR, _INV, _RES = (
 )  # fmt: skip
 
 
+def not_below(synchronous: float, frequency: float, poles: int) -> str:
+    """What is wrong with a rated speed that is not below the synchronous speed [rad/s]; ``frequency`` in Hz."""
+    rpm = from_si(synchronous, "rpm")
+    return f"must be below the synchronous speed, {rpm:.5g} rpm with {poles} poles at {frequency:g} Hz"
+
+
 class OwnWinding(Declared):
     """Rated data of one winding as its data sheet prints them."""
 
@@ -113,6 +121,13 @@ class OwnWinding(Declared):
         Quantity("Hz", symbol="f_1", gt=0, le=1000, default=50.0, source="mains of 50 Hz",
                  about="rated frequency", group=_WINDING),
     ]  # fmt: skip
+
+    @model_validator(mode="after")
+    def _slower_than_its_field(self) -> "OwnWinding":
+        synchronous = float(synchronous_speed(self.frequency, self.poles))
+        if self.rated_speed >= synchronous:
+            raise refused(self, "rated_speed", not_below(synchronous, self.frequency, self.poles))
+        return self
 
 
 class OwnInductionMotor(OwnProduct):

@@ -81,11 +81,8 @@ class PoleChangingDrive(LineFedRules, DriveModel):
             star = {self.start_winding} if self.starting == "star_delta" else set()
             low = motor_data(line, line.motor.windings[0], sheet, "_low", star="low" in star)
             high = motor_data(line, line.motor.windings[1], sheet, "_high", star="high" in star)
-        for side in sides:
-            with sheet.section(f"Load on the motor shaft: {side.state.label}"):
-                side.record(sheet)
-                line.record_static(side, high, sheet)
-        line.check_power(high, sheet)
+        sides = [_record_load(line, low, high, side, sheet) for side in sides]
+        line.check_power(high, sheet, low=None if high is None else low)
         diagrams: tuple[Diagram, ...] = ()
         if low and high and None not in (low.run_up, high.run_up, line.motor_inertia):
             line.record_gear_unit(high, sides, sheet)
@@ -93,6 +90,25 @@ class PoleChangingDrive(LineFedRules, DriveModel):
             diagrams = (run_up_diagram(high, sides, (low,)),)
         line.check_holding(sheet)
         return DriveResult(ratio=line.ratio, checks=tuple(sheet.checks[first:]), headlines=HEADLINES, diagrams=diagrams)
+
+
+def _record_load(
+    line: LineFed, low: MotorData | None, high: MotorData | None, side: MotorSide, sheet: Sheet
+) -> MotorSide:  # fmt: skip
+    """Write one state of the load on the motor shaft; returns it at the high speed of the motor.
+
+    On the low-speed winding the load is that of creeping: without a process that acts at full speed only.
+    """
+    with sheet.section(f"Load on the motor shaft: {side.state.label}"):
+        side.record(sheet)
+        line.record_static(side, high, sheet)
+        for data, name in ((low, "_low"), (high, "")):
+            if data is not None:
+                speed = data.synchronous_speed if side.driven_by_load else data.rated_speed
+                own = line.record_running(side.without_process if name else side, data, speed, sheet, name)
+                side = side if name else own
+        side.record_curve(sheet)
+    return side
 
 
 def _speeds(low: MotorData, high: MotorData, side: MotorSide) -> tuple[float, float]:
@@ -121,7 +137,7 @@ def _record_run_up(rules: PoleChangingDrive, low: MotorData, high: MotorData, si
     assert low.run_up is not None
     n_1, n_2 = _speeds(low, high, side)
     with sheet.section(f"Run-up: {side.state.label}"):
-        found = record_start(sheet, side, high.run_up, n_2)
+        found = record_start(sheet, side, high.run_up, n_2, delta=high.full_run_up if high.star else None)
         if found is not None:
             check_slip(sheet, side, found.acceleration, "slip_starting")
             record_least_flywheel(sheet, side, high.run_up, n_2)
@@ -129,7 +145,7 @@ def _record_run_up(rules: PoleChangingDrive, low: MotorData, high: MotorData, si
         return found is not None
     with sheet.section(f"Run-up on the low-speed winding: {side.state.label}"):
         words, part = ", low-speed winding", side.between(0.0, n_1 / n_2)
-        first = record_start(sheet, part, low.run_up, n_1, "_low", words)
+        first = record_start(sheet, part, low.run_up, n_1, "_low", words, delta=low.full_run_up if low.star else None)
         if first is not None:
             check_slip(sheet, side, first.acceleration, "slip_starting", "_low", words)
     return found is not None and first is not None
@@ -164,7 +180,7 @@ def _record_changes(
             sheet(change.change_over_distance, key=f"{key}_change_over_distance", unit="rad" if turning else "", v=v,
                   v_1=v_1, t_U=time)  # fmt: skip
             check_slip(sheet, side, rate, "slip_changing")
-            if side.state.permissible_acceleration is not None:
+            if side.state.permissible_acceleration:
                 bare = part.with_added(0.0).burden(-M_U)
                 sheet(change.least_flywheel_for_change, key=f"{key}_least_flywheel_for_change", M_U=M_U,
                       M_L=bare.torque, v=v, v_1=v_1, a_p=side.state.permissible_acceleration, n_2=n_2, n_1=n_1,

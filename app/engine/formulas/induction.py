@@ -119,6 +119,63 @@ def run_up_time(J_tot: KilogramMetre2, omega: RadPerSecond, M_H: NewtonMetre, M_
     return J_tot * omega / (M_H - M_L)
 
 
+@formula(symbol="t_A", unit="s", source="derived: torque balance at the motor shaft, step by step over the speed")
+def run_up_time_over_speed(
+    J_tot: KilogramMetre2, M_H: NewtonMetre, M_L: NewtonMetre, n_a: RadPerSecond, n_b: RadPerSecond
+) -> Second:
+    """Time of the run-up against a torque that depends on the speed.
+
+    ``J_tot`` all inertia on the motor shaft, ``M_H`` mean run-up torque, ``M_L`` torque of the load on the motor shaft
+    in the middle of each step of the speed from ``n_a`` to ``n_b``, losses included, shape (n,).
+
+    >>> run_up_time_over_speed(2.0, 10.0, [0.0, 6.0], [0.0, 50.0], [50.0, 100.0])
+    35.0
+    """
+    return total(J_tot * (n_b - n_a) / (M_H - M_L))
+
+
+@formula(symbol="M_Le", unit="N m", source="derived: the constant torque with the same run-up time")
+def equivalent_load_torque(M_H: NewtonMetre, J_tot: KilogramMetre2, omega: RadPerSecond, t_A: Second) -> NewtonMetre:
+    """Constant torque of the load with which the run-up would take as long.
+
+    ``M_H`` mean run-up torque, ``J_tot`` all inertia on the motor shaft, ``omega`` motor speed reached, ``t_A`` run-up
+    time.
+
+    >>> round(equivalent_load_torque(10.0, 2.0, 100.0, 35.0), 4)
+    4.2857
+    """
+    return M_H - J_tot * omega / t_A
+
+
+@formula(symbol="n", unit="rpm", source="derived: straight between two points of the curve of the load")
+def speed_at_torque(
+    M_H: NewtonMetre, M_a: NewtonMetre, M_b: NewtonMetre, n_a: RadPerSecond, n_b: RadPerSecond
+) -> RadPerSecond:
+    """Speed at which the load takes all of the run-up torque, so that the motor becomes no faster.
+
+    ``M_H`` mean run-up torque, ``M_a`` and ``M_b`` torque of the load with losses at the speeds ``n_a`` and ``n_b``
+    before and behind it.
+
+    >>> speed_at_torque(33.0, 30.0, 40.0, 90.0, 100.0)
+    93.0
+    """
+    return n_a + (n_b - n_a) * (M_H - M_a) / (M_b - M_a)
+
+
+@formula(symbol="M_L", unit="N m", source="derived: a constant part and one with the square of the speed")
+def torque_at_speed(
+    M_a: NewtonMetre, M_b: NewtonMetre, n_a: RadPerSecond, n_b: RadPerSecond, n: RadPerSecond
+) -> NewtonMetre:
+    """Torque of a load at a speed beside two points of its curve: M = A + B n^2 through both, as fans and pumps have.
+
+    ``M_a`` and ``M_b`` torque at the speeds ``n_a`` and ``n_b``, ``n`` the speed.
+
+    >>> torque_at_speed(13.0, 28.0, 1.0, 2.0, 3.0)
+    53.0
+    """
+    return M_a + (M_b - M_a) * (n**2 - n_a**2) / (n_b**2 - n_a**2)
+
+
 @formula(symbol="J_Z", unit="kg m2", source="derived: run-up time of the permissible acceleration")
 def least_flywheel(
     M_H: NewtonMetre, M_L: NewtonMetre, omega: RadPerSecond, v: MetrePerSecond, a_p: MetrePerSecond2,

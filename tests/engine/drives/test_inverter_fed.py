@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from app.engine.drives.inverter_limits import InverterLimits
 from app.engine.sheet import Verdict
-from tests.line_fed_requests import BRAKE, HOIST, INDEXING, calculated, example, motor, request, size
+from tests.line_fed_requests import BRAKE, HOIST, INDEXING, calculated, example, motor, refused, request, size
 
 SYNCHRONOUS = 50 * math.pi
 STRONG = {"motor": motor({"breakdown_torque_ratio": 2.5})}
@@ -323,3 +323,74 @@ def test_holding_a_hoist_is_checked_or_said_not_to_be(brake: dict[str, Any] | No
     check = calculated(made)[1]["brake_holding"]
     assert check.demanded == pytest.approx(20)
     assert check.verdict == (Verdict.NOT_CHECKED if brake is None else Verdict.FAILS)
+
+
+def test_the_chopper_is_checked_without_a_resistor_too():
+    """465 W at the peak, of 400 W and of 1 kW; without a limit there is nothing to check."""
+    for limit, verdict in ((0.4, Verdict.FAILS), (1, Verdict.OK)):
+        check = calculated(INDEXING, drive={"chopper_limit_kw": limit})[1]["chopper_power"]
+        assert (check.demanded, check.permitted) == (pytest.approx(465), pytest.approx(limit * 1000))
+        assert check.verdict == verdict
+    assert "chopper_power" not in calculated(INDEXING)[1]
+    unknown = motor(rotor_inertia_kgm2=None, rotor_inertia_with_brake_kgm2=None)
+    check = calculated(INDEXING, drive={"chopper_limit_kw": 1, "motor": unknown})[1]["chopper_power"]
+    assert (check.verdict, check.missing) == (Verdict.NOT_CHECKED, "rotor inertia of the motor")
+
+
+def test_stops_without_a_motor_say_that_its_rotor_is_left_out():
+    """0.04 * 0.8 kg m2 of the table alone."""
+    sheet = size(INDEXING, drive={"motor": None, "brake": BRAKE}).sheet
+    assert sheet.value("unladen_forward_emergency_braking_time") == pytest.approx(0.032 * 150 / 13.2)
+    (found,) = (one for one in sheet.assumptions if one.key == "drive.motor.rotor_inertia")
+    assert "stop" in found.text
+
+
+@pytest.mark.parametrize(("frequency", "accepted"), [(2.2, False), (2.3, True)])
+def test_a_knee_below_the_slip_is_refused(frequency: float, accepted: bool):
+    """150 of 157.08 rad/s at 50 Hz: slip of 2.254 Hz."""
+    drive = {"knee_frequency_hz": frequency}
+    if accepted:
+        assert "torque_limit" in calculated(INDEXING, drive=drive)[1]
+        return
+    ((name, message),) = refused(INDEXING, drive=drive)
+    assert name == "drive.knee_frequency_hz"
+    assert "2.254 Hz" in message
+
+
+@pytest.mark.parametrize(("speed", "verdict"), [(2.9, Verdict.FAILS), (3.1, Verdict.TIGHT), (7.5, Verdict.OK)])
+def test_one_low_speed_is_too_little_for_an_own_fan(speed: float, verdict: Verdict):
+    """150 rad/s rated over i = 10 times the only speed: 5.17, 4.84 and 2 of 5."""
+    sizing, checks = calculated(INDEXING, motion=moves(speed))
+    assert checks["speed_range"].demanded == pytest.approx(15 / speed)
+    assert checks["speed_range"].verdict == verdict
+    assert sizing.sheet.value("cooling_range") == pytest.approx(15 / speed)
+    assert "speed_range" not in calculated(INDEXING, motion=moves(speed), drive={"cooling": "forced"})[1]
+    # from half of the rated speed on it gives rated torque; below that its rating is reduced
+    assert ("reduced_power" in checks) == (speed < 7.5)
+
+
+def test_two_low_speeds_are_compared_with_the_rated_one():
+    """4 and 2 rad/s are 1 : 2, but 1 : 7.5 of the rated speed; the torque counts at rated speed."""
+    sizing, checks = calculated(INDEXING, motion=moves(4, 2), drive={"reduced_power_kw": 1.1})
+    assert sizing.sheet.value("speed_range") == pytest.approx(2)
+    assert checks["speed_range"].demanded == pytest.approx(7.5)
+    power = sizing.sheet.value("effective_torque") * 150
+    assert checks["reduced_power"].demanded == pytest.approx(power)
+
+
+def test_at_rated_speed_and_above_there_is_nothing_to_reduce():
+    for speed in (15, 16):
+        assert "speed_range" not in calculated(INDEXING, motion=moves(speed))[1]
+
+
+def test_a_speed_that_changes_slowly_is_kept_all_the_same():
+    """A web of 1 m/s on a core of 0.1 m: 20 rad/s, 4 rad/s at 0.5 m; i = 5 gives 100 down to 20 of 150 rad/s."""
+    made: dict[str, Any] = {
+        "mechanism": {"kind": "winder", "core_diameter_mm": 100, "full_diameter_mm": 500, "width_mm": 100,
+                      "thickness_mm": 1, "density_kg_m3": 1, "tension_n": 50},
+        "motion": {"kind": "constant", "speed_m_s": 1},
+        "drive": {**INDEXING["drive"], "gear_unit": {"own": {"ratio": 5, "efficiency": 0.8}}},
+    }  # fmt: skip
+    check = calculated(made)[1]["speed_range"]
+    assert check.demanded == pytest.approx(7.5, rel=0.02)
+    assert check.verdict == Verdict.FAILS

@@ -215,3 +215,21 @@ def test_a_winding_without_run_up_torque_is_named(which: str):
     assert checks[f"run_up_torque_{which}"].verdict == Verdict.NOT_CHECKED
     assert "run-up torque" in checks[f"run_up_torque_{which}"].missing
     assert not sizing.sheet.has("change_over_torque")
+
+
+@pytest.mark.parametrize(("rated", "verdict"), [(0.14, Verdict.FAILS), (0.18, Verdict.TIGHT), (0.25, Verdict.OK)])
+def test_the_low_speed_winding_must_bear_the_load_too(rated: float, verdict: Verdict):
+    """2 N m / 0.8 * 70 rad/s = 175 W; 750 W of 3 kW at the high speed."""
+    checks = calculated(FAST, drive=with_low(rated_power_kw=rated))[1]
+    assert checks["static_power_low"].demanded == pytest.approx(175)
+    assert checks["static_power_low"].permitted == pytest.approx(rated * 1000)
+    assert checks["static_power_low"].verdict == verdict
+    assert (checks["static_power"].demanded, checks["static_power"].permitted) == (pytest.approx(750), 3000)
+
+
+def test_a_process_at_full_speed_is_no_load_of_creeping():
+    """100 N m more at full speed: 7 / 0.8 N m * 300 rad/s, and 175 W on the low-speed winding as before."""
+    run = {"duration_s": 10, "process_torque_nm": 100, "process_during": "constant_speed"}
+    checks = calculated(FAST, motion={"runs": [run]})[1]
+    assert checks["static_power"].demanded == pytest.approx(7 / 0.8 * 300)
+    assert checks["static_power_low"].demanded == pytest.approx(175)
