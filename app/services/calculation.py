@@ -20,7 +20,6 @@ from app.services.reading import read
 from app.services.sizing import Headline
 
 MAX_STEPS = 200
-MAX_VALUES = 1000
 LONGEST = 60
 """Of a text that stands for a value."""
 

@@ -6,7 +6,7 @@ from typing import Literal
 
 from app.engine.drives.mains_shaft import MotorSide
 from app.engine.formulas import variator as formulas
-from app.engine.formulas.conversion import linear_speed
+from app.engine.formulas.conversion import linear_speed, torque_of_power
 from app.engine.formulas.efficiency import RegenerationModel, driving_stage_torque, returning_stage_torque
 from app.engine.formulas.servo import shaft_power
 from app.engine.mechanisms.load import LoadState
@@ -106,7 +106,7 @@ def demand_of(states: Sequence[LoadState], rules: RangeRules, sheet: Sheet) -> D
             sheet(formulas.extra_torque_constant_power, key="extra_torque", R_n=rules.speed_range)
         case "both":
             small = sheet(formulas.lowest_power_both, key=key, n_amin=lowest, n_c=corner, P_amax=power)
-    low = sheet(formulas.torque_of_output_power, key="lowest_speed_torque", P_a=small, n_a=lowest,
+    low = sheet(torque_of_power, key="lowest_speed_torque", P=small, omega=lowest,
                 label="Torque at the output at the lowest speed")  # fmt: skip
     return Demand(states=tuple(states), law=law, lowest_speed=lowest, highest_speed=highest, corner_speed=corner,
                   highest_speed_torque=torque, lowest_speed_torque=low, power=power)  # fmt: skip

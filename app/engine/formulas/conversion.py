@@ -130,6 +130,18 @@ def mechanical_power(F: Newton, v: MetrePerSecond) -> Watt:
     return F * v
 
 
+@formula(symbol="M", unit="N m", source="derived: power over speed")
+def torque_of_power(P: Watt, omega: RadPerSecond) -> NewtonMetre:
+    """Torque of a shaft that carries a power.
+
+    ``P`` power, ``omega`` speed, greater than zero.
+
+    >>> torque_of_power(8000.0, 100.0)
+    80.0
+    """
+    return P / omega
+
+
 @formula(symbol="P_D", unit="W", source="SEW 2001, 8.1: power that accelerates a load")
 def dynamic_power(m: Kilogram, a: MetrePerSecond2, v: MetrePerSecond, eta: One) -> Watt:
     """Power at the motor shaft that accelerates a load, at the end of the acceleration.

@@ -4,7 +4,6 @@ from app.engine.formula import cos, formula, pi, sin, total
 from app.engine.units import (
     CubicMetre,
     Kilogram,
-    KilogramMetre2,
     KilogramPerMetre,
     KilogramPerMetre3,
     KilogramPerSecond,
@@ -166,18 +165,6 @@ def slope_resistance(m_l: KilogramPerMetre, L: Metre, g: MetrePerSecond2, alpha:
     0.0
     """
     return m_l * L * g * sin(alpha)
-
-
-@formula(symbol="J_R", unit="kg m2", source="SEW 2001, 7.2: tubes about their axes, with their radii")
-def idlers_inertia(m_R: Kilogram, D: Metre, D_i: Metre) -> KilogramMetre2:
-    """Inertia of all idlers about their own axes.
-
-    ``m_R`` turning mass of all idlers, ``D`` outer and ``D_i`` inner diameter.
-
-    >>> round(idlers_inertia(500.0, 0.108, 0.1), 4)
-    1.354
-    """
-    return m_R * (D**2 + D_i**2) / 8
 
 
 @formula(symbol="m_Req", unit="kg", source="derived: 2 E_kin / v^2 of the idlers, which roll with the belt")

@@ -87,18 +87,6 @@ def crank_slide_acceleration(
     )
 
 
-@formula(symbol="J_s", unit="kg m2", source="derived: kinetic energy m*v^2/2 = J*omega^2/2 with v = A*omega")
-def crank_slide_inertia(m: Kilogram, A: MetrePerRad) -> KilogramMetre2:
-    """Inertia of the slide referred to the crank shaft at one angle.
-
-    ``m`` moved mass, ``A`` travel per radian at that angle.
-
-    >>> crank_slide_inertia(500.0, 0.5)
-    125.0
-    """
-    return m * A**2
-
-
 @formula(symbol="m_o", unit="kg", source="derived: rod replaced by two masses with the same centre of mass")
 def rod_mass_with_slide(m_P: Kilogram, x_P: One) -> Kilogram:
     """Part of the rod that moves with the slide.

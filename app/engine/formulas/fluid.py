@@ -38,18 +38,6 @@ def pump_power(Q: CubicMetrePerSecond, H: Metre, rho: KilogramPerMetre3, g: Metr
     return rho * g * Q * H / eta_P
 
 
-@formula(symbol="M_W", unit="N m", source="derived: power over speed")
-def torque_of_power(P: Watt, omega: RadPerSecond) -> NewtonMetre:
-    """Torque of a shaft that carries a power.
-
-    ``P`` power, ``omega`` speed, greater than zero.
-
-    >>> torque_of_power(8000.0, 100.0)
-    80.0
-    """
-    return P / omega
-
-
 @formula(symbol="M(n)", unit="N m", source="law of affinity: torque with the square of the speed, bearings apart")
 def affine_torque(M_N: NewtonMetre, M_f: NewtonMetre, n: RadPerSecond, n_W: RadPerSecond) -> NewtonMetre:
     """Torque of a fan or of a pump without static head at another speed, unsigned.

@@ -14,7 +14,6 @@ from app.engine.units import (
     One,
     PerSecond,
     RadPerSecond,
-    RadPerSecond2,
     Second,
     Watt,
 )
@@ -91,19 +90,6 @@ def total_efficiency(eta_L: One, eta_G: One) -> One:
     0.855
     """
     return eta_L * eta_G
-
-
-@formula(symbol="alpha_M", unit="rad/s2", source="derived: torque balance at the motor shaft")
-def shaft_angular_acceleration(M: NewtonMetre, M_L: NewtonMetre, J_tot: KilogramMetre2) -> RadPerSecond2:
-    """Angular acceleration of the motor shaft; negative while it slows down.
-
-    ``M`` torque of the motor in the direction of rotation (negative: a brake), ``M_L`` torque of the load on the motor
-    shaft, losses included, positive against the rotation, ``J_tot`` all inertia on the motor shaft.
-
-    >>> shaft_angular_acceleration(5.0, 1.0, 0.02)
-    200.0
-    """
-    return (M - M_L) / J_tot
 
 
 @formula(symbol="t_A", unit="s", source="SEW 2001, 7.9: run-up time")

@@ -28,18 +28,6 @@ def lowest_output_speed(n_amax: RadPerSecond, R_n: One) -> RadPerSecond:
     return n_amax / R_n
 
 
-@formula(symbol="M_a", unit="N m", source="SEW 2001, 5.2: dimensioning for constant torque, at the highest speed")
-def torque_of_output_power(P_a: Watt, n_a: RadPerSecond) -> NewtonMetre:
-    """Torque at the output that belongs to a power there.
-
-    ``P_a`` power at the output, ``n_a`` its speed.
-
-    >>> torque_of_output_power(2200.0, 314.0)
-    7.006...
-    """
-    return P_a / n_a
-
-
 @formula(symbol="P_amin", unit="kW", source="SEW 2001, 5.2: dimensioning for constant torque")
 def lowest_power_constant_torque(P_amax: Watt, R_n: One) -> Watt:
     """Power at the lowest speed where the torque stays the same.

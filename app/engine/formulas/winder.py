@@ -1,7 +1,7 @@
 """Winders: diameter of the reel, tension of the web, inertia that grows with what is wound."""
 
 from app.engine.formula import formula, maximum, pi, sqrt
-from app.engine.units import KilogramMetre2, KilogramPerMetre3, Metre, Newton, NewtonMetre, One
+from app.engine.units import KilogramMetre2, KilogramPerMetre3, Metre, Newton, One
 
 
 @formula(symbol="D", unit="mm", source="derived: area of the side of the reel is length times thickness of the web")
@@ -52,15 +52,3 @@ def tapered_tension(F_W: Newton, k_W: One, D_K: Metre, D: Metre) -> Newton:
     75.0
     """
     return F_W * (1 - k_W * (1 - D_K / D))
-
-
-@formula(symbol="M_W", unit="N m", source="derived: force at the circumference times radius")
-def reel_torque(F: Newton, D: Metre) -> NewtonMetre:
-    """Torque of a force at the circumference of the reel.
-
-    ``F`` force in the direction of the web, ``D`` diameter.
-
-    >>> reel_torque(100.0, 0.5)
-    25.0
-    """
-    return F * D / 2

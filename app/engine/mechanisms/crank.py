@@ -205,7 +205,7 @@ class Crank(Mechanism):
             if self.loaded != "both":
                 idle = self._resistance(sheet, "resistance_empty", "Friction on the empty stroke", empty, g)
         return Slide(
-            radius=self.crank_radius, rod=self.rod_length, start=self.start_angle, turning_inertia=turning,
+            radius=self.crank_radius, rod=self.rod_length, turning_inertia=turning,
             unbalance=unbalance, gravity=g, slope=self.inclination,
             efficiency=self.efficiency, loaded=self.loaded, masses=(empty, full), weights=(weights[1], weights[0]),
             frictions=(idle, loaded), process_force=self.process_force,

@@ -13,6 +13,7 @@ from app.engine.formulas import crank as formulas
 from app.engine.formulas.conversion import acceleration_torque, linear_speed, sum_of_torques, torque_of_force
 from app.engine.formulas.duty import effective_torque
 from app.engine.formulas.efficiency import RegenerationModel, record_stage, through_stage
+from app.engine.formulas.inertia import linear_mass_inertia
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces
 from app.engine.formulas.servo import signed_power
 from app.engine.mechanisms.guided_axis import without_zeros
@@ -127,7 +128,6 @@ class Slide:
 
     radius: float
     rod: float
-    start: float
     turning_inertia: float
     """Crank, and the rod's part that turns with it [kg m2]"""
     unbalance: float
@@ -184,7 +184,7 @@ class Slide:
         """Largest inertia at the crank over the turn [kg m2]."""
         angles = np.linspace(0.0, TURN, 721)
         A, loaded = self.transmission(angles), self.is_loaded(angles, np.zeros_like(angles))
-        moved = formulas.crank_slide_inertia(np.where(loaded, self.masses[1], self.masses[0]), A)
+        moved = linear_mass_inertia(np.where(loaded, self.masses[1], self.masses[0]), A)
         return float(moved.max()) + self.turning_inertia + payload
 
     def cycle(self, course: Course, model: RegenerationModel) -> LoadCycle:

@@ -11,6 +11,7 @@ from app.engine.formulas import conveyor as formulas
 from app.engine.formulas.belt import pulley_transmission
 from app.engine.formulas.conversion import mechanical_power, shaft_speed
 from app.engine.formulas.efficiency import driving_stage_torque
+from app.engine.formulas.inertia import hollow_cylinder_inertia
 from app.engine.formulas.resistance import sum_of_forces
 from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.conveyed import Conveyed
@@ -141,6 +142,8 @@ class DinBeltConveyor(Mechanism):
             return self.idler_mass
         with sheet.section("Idlers"):
             D, D_i = self.idler_diameter, self.idler_inner_diameter
-            sheet(formulas.idlers_inertia, m_R=self.idler_mass, D=D, D_i=D_i)
+            label = "Inertia of all idlers about their own axes"
+            sheet(hollow_cylinder_inertia, key="idlers_inertia", symbol="J_R", label=label, m=self.idler_mass, D=D,
+                  D_i=D_i)  # fmt: skip
             sheet(shaft_speed, key="idler_speed", label="Speed of the idlers", v=speed, A=D / 2)
             return sheet(formulas.idlers_equivalent_mass, m_R=self.idler_mass, D=D, D_i=D_i)

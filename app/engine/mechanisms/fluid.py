@@ -10,8 +10,7 @@ from app.engine.cycle import LoadCycle
 from app.engine.diagram import Diagram, series
 from app.engine.environment import Environment
 from app.engine.errors import EngineError
-from app.engine.formulas import fluid as formulas
-from app.engine.formulas.conversion import acceleration_torque, sum_of_torques
+from app.engine.formulas.conversion import acceleration_torque, sum_of_torques, torque_of_power
 from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import refused, split, without_zeros
 from app.engine.mechanisms.load import Load, LoadState, Statics
@@ -80,7 +79,7 @@ class FluidMachine(Mechanism):
         with sheet.section(POINT):
             power = self.rated_power if self.rated_power is not None else self.record_power(sheet, g)
             label = "Torque of the operating point"
-            rated = sheet(formulas.torque_of_power, key="rated_load_torque", label=label, P=power,
+            rated = sheet(torque_of_power, key="rated_load_torque", label=label, P=power,
                           omega=self.rated_speed)  # fmt: skip
         if rated < self.friction_torque:  # only where gravity is not that of the inputs' own check
             message = f"must be below the torque of the operating point, {rated:.4g} N m"
@@ -188,6 +187,6 @@ def consistent(machine: FluidMachine, others: tuple[str, ...]) -> None:
             known = "give the power at the shaft, or flow, pressure or head, and efficiency"
             raise refused(machine, lacking[0] if given else "rated_power", f"is missing: {known}")
     power = machine.power(STANDARD_GRAVITY) if machine.rated_power is None else machine.rated_power
-    rated = float(formulas.torque_of_power(power, machine.rated_speed))
+    rated = float(torque_of_power(power, machine.rated_speed))
     if rated < machine.friction_torque:
         raise refused(machine, "friction_torque", f"must be below the torque of the operating point, {rated:.4g} N m")

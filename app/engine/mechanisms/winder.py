@@ -10,7 +10,15 @@ from app.engine.cycle import LoadCycle
 from app.engine.diagram import Diagram, series
 from app.engine.environment import Environment
 from app.engine.formulas import winder as formulas
-from app.engine.formulas.conversion import acceleration_torque, mechanical_power, sum_of_torques
+from app.engine.formulas.belt import pulley_transmission
+from app.engine.formulas.conversion import (
+    acceleration_torque,
+    mechanical_power,
+    shaft_speed,
+    sum_of_torques,
+    torque_of_force,
+)
+from app.engine.formulas.inertia import linear_mass_inertia
 from app.engine.formulas.resistance import acceleration_force, sum_of_forces
 from app.engine.mechanisms.base import Mechanism
 from app.engine.mechanisms.guided_axis import refused, split, without_zeros
@@ -35,6 +43,12 @@ class _Course:
     motion: MotionProfile
     borders: FloatArray
     diameter: FloatArray
+
+    @property
+    def shaft_speeds(self) -> tuple[FloatArray, FloatArray]:
+        """Angular speed of the reel at the start and at the end of each piece [rad/s]."""
+        radii = pulley_transmission(self.borders)
+        return shaft_speed(self.motion.speed_start, radii[:-1]), shaft_speed(self.motion.speed_end, radii[1:])
 
 
 class Winder(Mechanism):
@@ -152,22 +166,23 @@ class Winder(Mechanism):
     def _inertia(self, diameter: Any, payload: Any = 0.0) -> Any:
         """Core, wound web, and what moves with the web, at the axis [kg m2]."""
         web = formulas.reel_inertia(diameter, self.core_diameter, self.width, self.density)
-        return self.core_inertia + web + payload * diameter**2 / 4
+        return self.core_inertia + web + linear_mass_inertia(payload, pulley_transmission(diameter))
 
     def _tension(self, diameter: Any) -> Any:
         return formulas.tapered_tension(self.tension, self.taper, self.core_diameter, diameter)
 
     def _cycle(self, course: _Course) -> LoadCycle:
         motion, D = course.motion, course.diameter
-        start, end = 2 * motion.speed_start / course.borders[:-1], 2 * motion.speed_end / course.borders[1:]
+        start, end = course.shaft_speeds
+        radius = pulley_transmission(D)
         force = (
             self._sense * self._tension(D)
             + motion.process_force * motion.direction
             + acceleration_force(motion.payload, motion.acceleration)
         )
-        turned = self.core_inertia + formulas.reel_inertia(D, self.core_diameter, self.width, self.density)
+        turned = self._inertia(D)
         torque = (
-            formulas.reel_torque(force, D)
+            torque_of_force(force, radius)
             + self.friction_torque * np.sign(motion.mean_speed)
             + acceleration_torque(turned, (end - start) / motion.duration)
         )
@@ -215,7 +230,9 @@ class Winder(Mechanism):
                 force.append(sheet(acceleration_force, key=f"{prefix}web_acceleration_force", m=m, a=a))
             label = "Force of the web, against forward motion"
             F = sheet(sum_of_forces, key=f"{prefix}web_force", symbol="F", label=label, F_k=without_zeros(force))
-            parts = [sheet(formulas.reel_torque, key=f"{prefix}reel_torque", F=F, D=D)]
+            A = sheet(pulley_transmission, key=f"{prefix}reel_radius", label="Radius of the reel", d=D)
+            label = "Torque of that force at the axis"
+            parts = [sheet(torque_of_force, key=f"{prefix}reel_torque", label=label, F=F, A=A)]
             if moving := float(np.sign(motion.mean_speed[k])):
                 parts.append(self.friction_torque * moving)
             alpha = float(cycle.acceleration[k])
@@ -232,12 +249,12 @@ class Winder(Mechanism):
     def _statics(self, course: _Course) -> Statics:
         motion = course.motion
         every = np.concatenate((course.borders, course.diameter))
-        pull = self._sense * formulas.reel_torque(self._tension(every), every)
+        pull = self._sense * torque_of_force(self._tension(every), pulley_transmission(every))
         widest = float(every.max())
-        process = np.abs(formulas.reel_torque(motion.process_force, widest))
+        process = np.abs(torque_of_force(motion.process_force, pulley_transmission(widest)))
         acts = (motion.process_force != 0) & (motion.mean_speed != 0)
         standing = float(process[motion.mean_speed == 0].max(initial=0.0))
-        slowest = float(course.borders.min())
+        smallest = float(pulley_transmission(course.borders.min()))
         speeds = np.maximum(np.abs(motion.speed_start), np.abs(motion.speed_end))
         # a reel that grows at constant speed of the web is slowed down, a shrinking one speeds up
         drift = float(np.abs(self._drift(course)).max(initial=0.0))
@@ -247,22 +264,22 @@ class Winder(Mechanism):
             backward=self._sense * strongest - self.friction_torque - drift,
             holding=self._sense * (strongest + standing),
             working=strongest + self.friction_torque + float(process[acts].max(initial=0.0)),
-            rapid_speed=2 * motion.max_speed / slowest,
-            working_speed=2 * float(speeds[acts].max()) / slowest if acts.any() else 2 * motion.max_speed / slowest,
+            rapid_speed=shaft_speed(motion.max_speed, smallest),
+            working_speed=shaft_speed(float(speeds[acts].max()) if acts.any() else motion.max_speed, smallest),
         )  # fmt: skip
 
     def _drift(self, course: _Course) -> FloatArray:
         """Torque of the slow change of speed in segments at constant speed of the web [N m]."""
         motion = course.motion
-        change = 2 * motion.speed_end / course.borders[1:] - 2 * motion.speed_start / course.borders[:-1]
-        found = acceleration_torque(self._inertia(course.diameter), change / motion.duration)
+        start, end = course.shaft_speeds
+        found = acceleration_torque(self._inertia(course.diameter), (end - start) / motion.duration)
         return np.where(motion.acceleration == 0, found, 0.0)
 
     def _diagrams(self, course: _Course, cycle: LoadCycle) -> tuple[Diagram, ...]:
         """Torque and speed over the diameter in steady winding."""
         D = np.linspace(self.core_diameter, self.full_diameter, 101)
-        torque = self._sense * formulas.reel_torque(self._tension(D), D)
-        speed = 2 * course.motion.max_speed / D
+        torque = self._sense * torque_of_force(self._tension(D), pulley_transmission(D))
+        speed = shaft_speed(course.motion.max_speed, pulley_transmission(D))
         return (
             Diagram("reel_torque", "Torque over the diameter of the reel", "Diameter", "mm", "Torque", "N m", (
                 series("tension and friction", D, torque + self.friction_torque),
