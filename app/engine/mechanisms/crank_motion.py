@@ -208,17 +208,20 @@ class Slide:
         A, omega = self.transmission(angles), motion.max_speed
         # at the highest speed the inertia of the slide counts most, at the lowest what it hides of the other forces
         forward, backward = (
-            np.concatenate([self.torque(angles, way * speed, 0.0, model) for speed in (omega, CRAWLING * omega)])
+            float(
+                max(np.abs(self.torque(angles, way * speed, 0.0, model)).max() for speed in (omega, CRAWLING * omega))
+            )
             for way in (1.0, -1.0)
         )
         rubbing = float(np.abs(A * max(self.frictions)).max())
         working = (motion.process_force != 0) & (motion.mean_speed != 0)
         process = float(np.abs(motion.process_force[motion.mean_speed == 0]).max(initial=0.0))
         held = float(np.abs(A * max(self.weights, key=abs) + self.weight_torque(angles)).max())
-        largest = float(np.abs(motion.process_force[working]).max(initial=0.0)) + float(np.abs(forward).max())
+        largest = float(np.abs(motion.process_force[working]).max(initial=0.0)) + forward
         ends = np.maximum(np.abs(motion.speed_start), np.abs(motion.speed_end))
         return Statics(
-            friction=rubbing, forward=_outermost(forward), backward=_outermost(backward), holding=held + process,
+            # it drives and is driven by turns: as if it drove, which asks for more through any further losses
+            friction=rubbing, forward=forward, backward=-backward, holding=held + process,
             working=largest, rapid_speed=omega, working_speed=float(ends[working].max()) if working.any() else omega,
         )  # fmt: skip
 
@@ -315,8 +318,3 @@ def angle_of_largest(function: Callable[[FloatArray], FloatArray], sign: float =
     near, step = float(coarse[int(np.argmax(sign * function(coarse)))]), float(coarse[1])
     fine = np.linspace(near - step, near + step, 2001)
     return float(fine[int(np.argmax(sign * function(fine)))])
-
-
-def _outermost(values: FloatArray) -> float:
-    """The value farthest from zero, with its sign."""
-    return float(values[int(np.abs(values).argmax())])

@@ -47,7 +47,7 @@ class Pump(FluidMachine):
     ]  # fmt: skip
     closed_valve_torque: Annotated[
         float,
-        Quantity("1", symbol="k_0", ge=0, le=1, default=0.4, source="radial pumps: 0.3 to 0.5", group=SYSTEM,
+        Quantity("1", symbol="k_0", ge=0, le=1, default=0.4, source="common practice: radial pumps, 0.3 to 0.5", group=SYSTEM,
                  about="torque against a closed valve over that of the operating point"),
     ]  # fmt: skip
 

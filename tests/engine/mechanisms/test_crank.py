@@ -139,6 +139,13 @@ def test_a_counterweight_relieves_the_crank():
     assert loaded(pusher(**level, unbalance_kgm=-25), turning()).statics.holding == pytest.approx(0, abs=1e-9)
 
 
+def test_the_steady_torque_behind_a_stage_with_losses_covers_the_driving_half_of_the_turn():
+    """Here the crank is driven harder than it drives; through a stage of 50 % driving still asks for more."""
+    helped = pusher(load_mass_kg=1, process_force_n=-10, unbalance_kgm=0.5, stage_efficiency=0.5)
+    found = loaded(helped, turning(10))
+    assert np.abs(found.cycle.torque).max() <= found.statics.forward
+
+
 def test_more_turns_in_the_ramps_than_can_be_followed_are_refused():
     motion = ConstantRotation.model_validate({"speed_rpm": 3000, "run_up_time_s": 100, "starts_per_hour": 1})
     with pytest.raises(EngineError, match="5000 turns in its ramps"):
