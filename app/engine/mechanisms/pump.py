@@ -47,8 +47,8 @@ class Pump(FluidMachine):
     ]  # fmt: skip
     closed_valve_torque: Annotated[
         float,
-        Quantity("1", symbol="k_0", ge=0, le=1, default=0.4, source="common practice: radial pumps, 0.3 to 0.5", group=SYSTEM,
-                 about="torque against a closed valve over that of the operating point"),
+        Quantity("1", symbol="k_0", ge=0, le=1, default=0.4, source="common practice: radial pumps, 0.3 to 0.5",
+                 group=SYSTEM, about="torque against a closed valve over that of the operating point"),
     ]  # fmt: skip
 
     @model_validator(mode="after")
