@@ -92,7 +92,7 @@ class Crank(Mechanism):
     ]  # fmt: skip
     friction_coefficient: Annotated[
         float,
-        Quantity("1", symbol="mu", ge=0, le=2, default=0.1, source="SEW 2001, 17.1: greased steel on steel, 0.04 to 0.25",
+        Quantity("1", symbol="mu", ge=0, le=2, default=0.1, source="SEW 2001, 17.1: greased steel, 0.04 to 0.25",
                  group=FRICTION, about="sliding friction of slide and goods"),
     ]  # fmt: skip
     wheel_diameter: Annotated[
